@@ -1,6 +1,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/standard_streams.hpp"
 #include "app/commands/commands.hpp"
+#include "core/freed_memory.hpp"
 
 int main(int argc, char** argv) {
     steplab::prepare_standard_streams();

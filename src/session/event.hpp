@@ -49,9 +49,10 @@ struct Begin {
     RunDescription description;
 };
 /// The leading run goes on with another method, dt, precision or live parameter; or the session begins again where the
-/// description restarts it.
+/// description restarts it, with the runs beside it.
 struct Change {
     RunDescription description;
+    bool held = false;  ///< of a slider that is held since the change before: both are taken back as one
 };
 struct SetRate {
     Rate rate;

@@ -33,7 +33,7 @@ bool FollowerRun::is_beside(const TimeLine& leading) const {
     const auto [step, evaluations, over] = line_.run().advanced();
     const std::uint64_t wanted = line_.step_at(leading.time());
     return followed_.size() >= leading.past().size() && shared(leading) == followed_.size() &&
-           (step == wanted || (over && !line_.ended_beyond(wanted)));
+           (step == wanted || judged_ == wanted || (over && !line_.ended_beyond(wanted)));
 }
 
 /// How much of what happened to it belongs to where the leading run stands: its changes up to there, and later ones of
@@ -58,17 +58,35 @@ void FollowerRun::go_back(std::size_t kept) {
         line_.keep_changes(followed_[kept - 1].changes);
     }
     followed_.resize(kept);
+    judged_.reset();
 }
 
 bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {
     const std::uint64_t step = line_.step_at(time);
+    if (std::exchange(judged_, std::nullopt) == step && line_.is_over()) {
+        judged_ = step;
+        return true;
+    }
     if (line_.run().advanced().step > step || line_.ended_beyond(step)) line_.turn_to_any(step);
     while (line_.run().advanced().step < step && !line_.run().advanced().diverged) {
         if (enough()) return false;
         line_.advance(std::min(piece, step - line_.run().advanced().step));
     }
-    line_.keep_moment();
+    if (!line_.is_over() && !line_.run().is_plausible()) judge(step);
+    if (!line_.is_over()) line_.keep_moment();
     return true;
+}
+
+/// Goes ahead to the check that decides whether it has diverged where its energy is impossible: what it computes until
+/// then would be shown, and spoil what is drawn of the others. What is found depends on the step alone.
+void FollowerRun::judge(std::uint64_t step) {
+    line_.advance(line_.run().steps_to_check());
+    if (line_.is_over()) {
+        judged_ = step;
+        return;
+    }
+    line_.turn_to_any(step);
+    line_.advance(step - line_.run().advanced().step);
 }
 
 /// Of a change of description, that of the scene.
@@ -79,17 +97,16 @@ void FollowerRun::take(const SegmentBegin& before, const SegmentBegin& change) {
         return;
     }
     RunDescription description = line_.run().description();
-    take_scene(before, change, description);
+    take_scene(before.description, change.description, description);
     line_.change(description);
 }
 
-void FollowerRun::take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description) {
+void FollowerRun::take_scene(const RunDescription& before, const RunDescription& after, RunDescription& description) {
     for (const ParameterInfo& info : description.scene.infos()) {
-        const double value = change.description.scene[info.name];
-        if (value != before.description.scene[info.name]) description.scene.set(info.name, value);
+        const double value = after.scene[info.name];
+        if (value != before.scene[info.name]) description.scene.set(info.name, value);
     }
-    if (change.description.alterations != before.description.alterations)
-        description.alterations = change.description.alterations;
+    if (after.alterations != before.alterations) description.alterations = after.alterations;
 }
 
 RunDescription FollowerRun::at_start(RunDescription description, const TimeLine& leading) {
@@ -106,8 +123,28 @@ RunDescription FollowerRun::at_start(RunDescription description, const TimeLine&
 RunDescription FollowerRun::description_at(const TimeLine& leading) const {
     RunDescription description = description_;
     const auto past = leading.past();
-    for (std::size_t i = 1; i < past.size(); ++i) take_scene(past[i - 1], past[i], description);
+    for (std::size_t i = 1; i < past.size(); ++i) take_scene(past[i - 1].description, past[i].description, description);
     return description;
+}
+
+std::optional<RunDescription> FollowerRun::description_in(const RunDescription& beginning,
+                                                          const TimeLine& leading) const {
+    const RunDescription& now = leading.run().description();
+    if (beginning.model != now.model || beginning.origin != now.origin) return std::nullopt;
+    RunDescription description = description_at(leading);
+    take_scene(now, beginning, description);
+    description.start = beginning.start;
+    return description;
+}
+
+void FollowerRun::check_way(std::span<const SegmentBegin> way) const {
+    RunDescription description = description_;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const RunDescription &before = way[i - 1].description, &after = way[i].description;
+        if (before.scene == after.scene && before.alterations == after.alterations) continue;
+        take_scene(before, after, description);
+        check(description);
+    }
 }
 
 }  // namespace steplab

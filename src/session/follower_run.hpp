@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace steplab {
@@ -21,6 +23,10 @@ public:
     const Simulation& run() const { return line_.run(); }
     /// With all that was changed of the scene until where the leading run stands, whether it is there or not.
     RunDescription description_at(const TimeLine& leading) const;
+    /// As it would begin beside a run that begins so in place of the leading one; none where that is another scene.
+    std::optional<RunDescription> description_in(const RunDescription& beginning, const TimeLine& leading) const;
+    /// Throws UsageError if it cannot go that way: all changes from a start on.
+    void check_way(std::span<const SegmentBegin> way) const;
     TimeLine& line() { return line_; }
     const TimeLine& line() const { return line_; }
 
@@ -45,13 +51,15 @@ private:
     std::size_t shared(const TimeLine& leading) const;
     void go_back(std::size_t kept);
     bool go_to(double time, const std::function<bool()>& enough);
+    void judge(std::uint64_t step);
     void take(const SegmentBegin& before, const SegmentBegin& change);
-    static void take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description);
+    static void take_scene(const RunDescription& before, const RunDescription& after, RunDescription& description);
 
     RunDescription description_;
     std::size_t bytes_;
     TimeLine line_;
     std::vector<Followed> followed_;
+    std::optional<std::uint64_t> judged_;  ///< a step at which its energy is impossible: it has ended before
 };
 
 }  // namespace steplab

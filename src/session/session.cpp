@@ -29,7 +29,7 @@ struct Session::Handle {
     void operator()(const event::SeekTime& seek) const { session.seek(session.line_.step_at(seek.time)); }
     void operator()(const event::Restart&) const { session.begin(session.run().description()); }
     void operator()(const event::Begin& begin) const { session.begin_alone(begin.description); }
-    void operator()(const event::Change& change) const { session.change(change.description); }
+    void operator()(const event::Change& change) const { session.change(change); }
     void operator()(const event::SetRate& rate) const { session.rate_ = rate.rate; }
     void operator()(const event::Track& track) const { session.tracked_ = track.particle; }
     void operator()(const event::Do& act) const { session.act(act.act); }

@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -125,10 +126,10 @@ private:
     void take_forward(std::uint64_t steps);
 
     // what is done to the leading run
-    void begin(const RunDescription& description);
+    void begin(const RunDescription& description, bool held = false);
     void begin_alone(const RunDescription& description);
     void begun();
-    void change(const RunDescription& description);
+    void change(const event::Change& change);
     void act(const Act& asked);
     void undo();
     void redo();
@@ -151,6 +152,7 @@ private:
     void lead(std::size_t follower);
     void remove(std::size_t run);
     std::size_t check_follower(std::size_t run) const;
+    void check_followers(std::span<const SegmentBegin> way) const;
     Beside beside() const;
     std::vector<FollowerRun> made(const Beside& wanted) const;
     FollowerRun follower(const RunDescription& description) const;
@@ -173,6 +175,7 @@ private:
     bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
     double magnified_ = 1;
     bool equal_cost_ = false;
+    std::string not_equal_;            ///< why a run does not have the cost of the leading one; empty: all have
     std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;

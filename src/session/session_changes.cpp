@@ -65,15 +65,23 @@ void Session::leave(TimeLine next, Beside beside) {
     note(std::move(left));
 }
 
-void Session::begin(const RunDescription& description) {
+/// With all its runs, unless the scene is another. While a slider is held the values that it goes through leave
+/// nothing.
+void Session::begin(const RunDescription& description, bool held) {
     TimeLine next(description, bytes_);
     std::vector<FollowerRun> followers;
-    const bool same_scene = !restarts(run().description(), description);
-    if (same_scene) {
-        for (const FollowerRun& each : followers_)
-            followers.push_back(FollowerRun(each.description_at(line_), bytes_ / most_runs));
+    for (const FollowerRun& each : followers_) {
+        if (auto beside_it = each.description_in(description, line_))
+            followers.emplace_back(std::move(*beside_it), bytes_ / most_runs);
     }
-    leave(std::move(next), beside());
+    const bool goes_on =
+        held && line_.changes().size() == 1 && !done_.empty() && std::holds_alternative<Left>(done_.back());
+    if (goes_on) {
+        goal_.reset();
+        line_ = std::move(next);
+    } else {
+        leave(std::move(next), beside());
+    }
     followers_ = std::move(followers);
     begun();
 }
@@ -93,13 +101,17 @@ void Session::begun() {
     show_ensemble(ensemble_);
 }
 
-void Session::change(const RunDescription& description) {
+void Session::change(const event::Change& change) {
+    const RunDescription& description = change.description;
     if (description == run().description()) return;
-    if (restarts(run().description(), description)) return begin(description);
+    if (restarts(run().description(), description)) return begin(description, change.held);
+    std::vector<SegmentBegin> way(line_.past().begin(), line_.past().end());
+    way.push_back({.step = line_.step(), .description = description});
+    check_followers(way);
     if (plays_backwards()) stop();  // the run would go away from what is done
     const std::size_t before = line_.past().size();
     const bool was_last = done_.empty() || std::holds_alternative<Acted>(done_.back());
-    keep(line_.change(description, was_last));
+    keep(line_.change(description, was_last, change.held));
     acted(before);
     equalise_cost();
 }
@@ -147,6 +159,7 @@ void Session::redo() {
     if (undone_.empty()) return;
     Undone& last = undone_.back();
     if (auto* const branch = std::get_if<TimeLine::Branch>(&last)) {
+        check_followers(branch->changes);
         const std::size_t before = line_.past().size();
         line_.take(std::move(*branch));
         count_acted(before);
@@ -189,6 +202,7 @@ Session::Beside Session::exchange(const Beside& wanted) {
 
 void Session::take_branch(std::size_t number) {
     if (number >= branches_.size()) throw UsageError(fmt::format("there is no branch {}", number));
+    check_followers(branches_[number].changes);
     TimeLine::Branch branch = std::move(branches_[number]);
     branches_.erase(branches_.begin() + static_cast<std::ptrdiff_t>(number));
     goal_.reset();

@@ -221,7 +221,11 @@ const std::vector<EventKind>& event_kinds() {
         {"seek-time", {"time"}, [](const Given& given) -> Event { return event::SeekTime{number_of(given["time"])}; }},
         {"restart", {}, [](const Given&) -> Event { return event::Restart{}; }},
         {"begin", {"run"}, [](const Given& given) -> Event { return event::Begin{given.run()}; }},
-        {"change", {"run"}, [](const Given& given) -> Event { return event::Change{given.run()}; }},
+        {"change",
+         {"run", "held"},
+         [](const Given& given) -> Event {
+             return event::Change{given.run(), given.flag("held")};
+         }},
         {"pull",
          {"particle", "position", "others"},
          [](const Given& given) -> Event {

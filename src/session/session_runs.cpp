@@ -24,7 +24,19 @@ FollowerRun Session::follower(const RunDescription& description) const {
     FollowerRun added(description, bytes_ / most_runs);
     if (added.run().particles() != run().particles())
         throw UsageError("runs beside each other have the same particles");
+    added.check_way(line_.changes());
     return added;
+}
+
+/// A run that could not go that way would be lost on it. Throws UsageError.
+void Session::check_followers(std::span<const SegmentBegin> way) const {
+    for (const FollowerRun& each : followers_) {
+        try {
+            each.check_way(way);
+        } catch (const UsageError& error) {
+            throw UsageError(fmt::format("{}; remove it first", error.what()));
+        }
+    }
 }
 
 Session::Beside Session::beside() const {
@@ -59,6 +71,7 @@ void Session::set_equal_cost(bool on) {
     if (on == equal_cost_) return;
     note(beside());
     equal_cost_ = on;
+    not_equal_.clear();
     equalise_cost();
 }
 
@@ -69,13 +82,14 @@ RunDescription Session::at_cost(const RunDescription& description) const {
 
 /// Those whose cost changes begin again; one that cannot have it stays as it is, as the event is carried out already.
 void Session::equalise_cost() {
+    not_equal_.clear();
     if (!equal_cost_) return;
     for (FollowerRun& each : followers_) {
         try {
             const RunDescription wanted = at_cost(each.description());
             if (!(wanted == each.description())) each = follower(wanted);
-        } catch (const UsageError&) {
-            continue;
+        } catch (const UsageError& error) {
+            not_equal_ = error.what();
         }
     }
 }

@@ -80,6 +80,7 @@ struct SessionView {
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
     bool equal_cost = false;
+    std::string not_equal = {};  ///< why one of them does not have the cost of the leading run; empty: all have
     std::optional<SessionErrors> errors = {};     ///< if they are wanted; of this moment, or of one before it
     std::vector<ErrorSeries> error_series = {};   ///< of each run, as far as it was compared at the steps of a grid
     std::shared_ptr<const CostsView> costs = {};  ///< if they are wanted and known

@@ -143,7 +143,11 @@ struct EventLines {
     Lines operator()(const event::Seek& seek) const { return {{"to", std::to_string(seek.step)}}; }
     Lines operator()(const event::SeekTime& seek) const { return {{"time", real(seek.time)}}; }
     Lines operator()(const event::Begin& begin) const { return {{"run", runs.inline_table(begin.description)}}; }
-    Lines operator()(const event::Change& change) const { return {{"run", runs.inline_table(change.description)}}; }
+    Lines operator()(const event::Change& change) const {
+        Lines lines{{"run", runs.inline_table(change.description)}};
+        if (change.held) lines.emplace_back("held", "true");
+        return lines;
+    }
     Lines operator()(const event::Do& act) const { return std::visit(*this, act.act); }
     Lines operator()(const Pull& pull) const { return of_particles(pull, {{"position", vector(pull.position)}}); }
     Lines operator()(const Kick& kick) const { return of_particles(kick, {{"velocity", vector(kick.velocity)}}); }

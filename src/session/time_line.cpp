@@ -190,11 +190,11 @@ double TimeLine::time_of(std::uint64_t step) const {
     return segment.time + static_cast<double>(step - segment.step) * rounded_to(run.precision, run.dt);
 }
 
-std::optional<TimeLine::Branch> TimeLine::change(const RunDescription& description, bool may_replace) {
+std::optional<TimeLine::Branch> TimeLine::change(const RunDescription& description, bool may_replace, bool held) {
     if (description == run_.description()) return std::nullopt;
     if (restarts(run_.description(), description)) throw UsageError("this change begins another run");
     check(description);
-    return append({run_.step(), description}, may_replace);
+    return append({.step = run_.step(), .description = description, .held = held && taken_ > 1}, may_replace);
 }
 
 std::optional<TimeLine::Branch> TimeLine::act(const Act& act) { return append({run_.step(), run_.description(), act}); }
@@ -215,6 +215,7 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change, bool may_r
     const std::uint64_t step = change.step;
     std::optional<Branch> left = cut(step, taken_);
     if (may_replace && replaces_last(change)) {
+        change.held = changes_.back().held;
         cut(step, taken_ - 1);
         stand_at(step, taken_ - 1);
     } else if (!continues(changes_.back(), change)) {

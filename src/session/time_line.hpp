@@ -80,8 +80,9 @@ public:
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
     /// Throws UsageError, nothing changed, also where the description restarts the run (restarts()).
-    /// One that follows another of the same settings at once takes its place, if it may.
-    std::optional<Branch> change(const RunDescription& description, bool may_replace = true);
+    /// One that follows another of the same settings at once takes its place, if it may. One of a slider that is `held`
+    /// since the change before is taken back with that.
+    std::optional<Branch> change(const RunDescription& description, bool may_replace = true, bool held = false);
     /// Does this to particles, which has to do something (steplab::acts()).
     std::optional<Branch> act(const Act& act);
     /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then

@@ -26,7 +26,8 @@ bool is_idle(const Act& act) {
 }  // namespace
 
 bool continues(const SegmentBegin& before, const SegmentBegin& change) {
-    return before.act && change.act && continues(*change.act, *before.act);
+    if (!change.act) return change.held && !before.act;
+    return before.act && continues(*change.act, *before.act);
 }
 
 std::size_t first_of_last(std::span<const SegmentBegin> changes) {

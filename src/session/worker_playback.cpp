@@ -1,4 +1,5 @@
 #include "core/clamped.hpp"
+#include "core/freed_memory.hpp"
 #include "session/worker_body.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ void Worker::Body::begin(const Beginning& beginning) {
     forget_film();
     session = std::move(begun);
     playback = std::move(opened);
+    give_back_freed_memory();
     if (recorded) film.emplace(*recorded, *session);
     if (film && film->is_done()) film.reset();  // nothing happened
     frames_since = {Clock::now(), 0};

@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 
+#include <imgui_internal.h>
+
 namespace steplab::ui {
 
 void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
@@ -33,7 +35,9 @@ void Wanted::ask(const RunDescription& asked, EventSink& events) {
     message_.clear();
     asked_ = description;
     if (played_back_) return events.begin(description);
-    events.send(event::Change{description});
+    const unsigned held = ImGui::GetCurrentContext() ? ImGui::GetActiveID() : 0;
+    events.send(event::Change{description, held != 0 && held == asked_by_});
+    asked_by_ = held;
 }
 
 void Wanted::play(bool on, EventSink& events, bool backwards) {

@@ -67,6 +67,7 @@ private:
     bool diverged_ = false;
     RunDescription running_;
     std::optional<RunDescription> asked_;
+    unsigned asked_by_ = 0;  ///< the widget that was held when a change was asked for last; 0: none
     std::string message_;
     std::uint64_t seen_failures_ = 0;
 };

@@ -1,9 +1,10 @@
 #include "session/equal_cost.hpp"
 
+#include "core/error.hpp"
 #include "session/session.hpp"
 #include "support/runs.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace steplab::test {
 namespace {
@@ -31,6 +32,35 @@ TEST(EqualCost, of_explicit_methods_is_exact) {
     const RunDescription rk4 = run_of("chain", "rk4", Precision::double_, 0.1);
     EXPECT_EQ(evaluations_per_second(rk4), 40);
     EXPECT_EQ(at_equal_cost(with_method(rk4, "velocity-verlet"), rk4).dt, 0.025);
+}
+
+// At such a dt the equations of gauss-16 are not solved any more on the rope, whose springs are stiff.
+TEST(EqualCost, that_a_method_cannot_have_is_refused_with_the_least_that_it_has) {
+    const RunDescription verlet = run_of("rope", "velocity-verlet", Precision::double_, 0.01);
+    try {
+        at_equal_cost(run_of("rope", "gauss-16", Precision::double_, 0.01), verlet);
+        FAIL() << "gauss-16 has 8 evaluations and more a step";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("gauss-16 cannot cost 100 force evaluations per simulated second"));
+    }
+    Session session(verlet);
+    session.handle(event::AddRun{run_of("rope", "gauss-16", Precision::double_, 0.01)});
+    session.handle(event::EqualCost{true});
+    SessionView view;
+    session.observe(view);
+    EXPECT_THAT(view.not_equal, testing::HasSubstr("gauss-16"));
+    EXPECT_EQ(session.followers()[0].description().dt, 0.01);
+    EXPECT_THROW(session.handle(event::AddRun{run_of("rope", "gauss-16", Precision::double_, 0.02)}), UsageError);
+    session.handle(event::EqualCost{false});
+    session.observe(view);
+    EXPECT_EQ(view.not_equal, "");
+}
+
+TEST(EqualCost, of_a_tolerance_that_float_cannot_hold_is_refused) {
+    EXPECT_THROW(at_equal_cost(run_of("chain", "dopri5", Precision::float_, 0.1),
+                               run_of("chain", "rk4", Precision::double_, 1e-5)),
+                 UsageError);
 }
 
 TEST(Session, keeps_all_runs_at_equal_cost_while_that_is_wanted) {

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <malloc.h>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -186,13 +185,6 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     } catch (const std::exception& error) {
         return failed(program, ExitCode::usage, error.what());
     }
-}
-
-void keep_no_freed_memory() {
-#ifdef M_MMAP_THRESHOLD
-    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and memory freed below it leaves holes
-    mallopt(M_TRIM_THRESHOLD, 2 << 20);
-#endif
 }
 
 }  // namespace steplab

@@ -47,7 +47,4 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
 /// Runs the body of a main. Any exception becomes one line on standard error, "program: message", and its exit code.
 int guarded(const std::string& program, const std::function<int()>& body);
 
-/// Returns the memory of large arrays to the system when they are freed.
-void keep_no_freed_memory();
-
 }  // namespace steplab

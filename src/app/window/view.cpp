@@ -6,6 +6,7 @@
 #include "app/window/viewer.hpp"
 #include "core/end_watch.hpp"
 #include "core/error.hpp"
+#include "core/freed_memory.hpp"
 #include "core/program_end.hpp"
 #include "io/commit.hpp"
 #include "ui/keys.hpp"

@@ -25,6 +25,7 @@ struct SegmentBegin {
     RunDescription description;
     std::optional<Act> act = {};  ///< just before
     double time = 0;              ///< of the step
+    bool held = false;            ///< it goes on with the change before it, by a slider that is held
     friend bool operator==(const SegmentBegin&, const SegmentBegin&) = default;
 };
 

@@ -167,8 +167,9 @@ void draw_together(const Context& context) {
     if (check_row(context, "equal cost", "equal cost", equal)) context.events.send(event::EqualCost{equal});
     term_tooltip(context,
                  "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated "
-                 "second as the leading one; it begins again with it",
+                 "second as the leading one; it begins again with it. Undo gives each what it had before",
                  "force evaluations");
+    if (!context.session.not_equal.empty()) explanation(context, context.session.not_equal);
 }
 
 void draw_add(const Context& context) {
