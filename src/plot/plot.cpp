@@ -121,6 +121,15 @@ struct Column {
     }
 };
 
+/// A name as a cell: in quotes where a comma, quote or line break in it would be read as the end of the cell (RFC
+/// 4180).
+std::string csv_text(const std::string& name) {
+    if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+    std::string quoted = "\"";
+    for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
+    return quoted + "\"";
+}
+
 /// A column of a table.
 struct Values {
     std::string name;
@@ -146,11 +155,11 @@ std::vector<Values> columns_of(const Plot& plot) {
 }
 
 std::string table_of(const Plot& plot) {
-    std::string text = plot.x.name;
+    std::string text = csv_text(plot.x.name);
     std::set<double> all;
     const std::vector<Values> columns = columns_of(plot);
     for (const Values& column : columns) {
-        text.append(",").append(column.name);
+        text.append(",").append(csv_text(column.name));
         all.insert(column.x.begin(), column.x.end());
     }
     text.append("\n");
@@ -163,10 +172,11 @@ std::string table_of(const Plot& plot) {
 }
 
 std::string points_of(const Plot& plot) {
-    std::string text = "curve," + plot.x.name + "," + plot.y.name + "\n";
+    std::string text = "curve," + csv_text(plot.x.name) + "," + csv_text(plot.y.name) + "\n";
     for (const Curve& curve : plot.curves) {
+        const std::string name = csv_text(curve.name);
         for (std::size_t i = 0; i < curve.x.size(); ++i)
-            text.append(curve.name + "," + number_text(curve.x[i]) + "," + number_text(curve.y[i]) + "\n");
+            text.append(name + "," + number_text(curve.x[i]) + "," + number_text(curve.y[i]) + "\n");
     }
     return text;
 }

@@ -130,8 +130,8 @@ std::vector<Strip> strips(const Band& band, const Axes& axes);
 /// Index of the value in `x` (ascending) nearest to `value`; 0 if `x` is empty.
 std::size_t nearest(std::span<const double> x, double value);
 
-/// The data of a plot as CSV: a column for x, of all curves and bands, one for each curve, and two for each band, empty
-/// where it has no value; of curves that do not ascend the name, x and y of each point.
+/// The data of a plot as CSV (RFC 4180): a column for x, of all curves and bands, one for each curve, and two for each
+/// band, empty where it has no value; of curves that do not ascend the name, x and y of each point.
 std::string csv(const Plot& plot);
 
 }  // namespace steplab::plot

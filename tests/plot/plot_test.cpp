@@ -32,6 +32,21 @@ TEST(plot, csv_of_a_path_has_its_points_in_order) {
     EXPECT_EQ(csv(plot), "curve,displacement,velocity\nrun,1,0\nrun,0,2\nrun,-1,0\nrun,0,-2\n");
 }
 
+TEST(plot, csv_quotes_names_that_would_be_read_as_several_cells) {
+    Plot plot = two_curves();
+    plot.curves[0].name = "rk4, dt 0.01 s";
+    plot.curves[1].name = "a \"good\"\nrun";
+    plot.bands = {{.name = "low, high", .x = {0}, .low = {0}, .high = {2}}};
+    const std::string head = csv(plot).substr(0, csv(plot).find("\n0,"));
+    EXPECT_EQ(head, "time,\"rk4, dt 0.01 s\",\"a \"\"good\"\"\nrun\",\"low, high low\",\"low, high high\"");
+}
+
+TEST(plot, csv_of_a_path_quotes_such_names_in_head_and_rows) {
+    Plot plot{.x = {.name = "evaluations"}, .y = {.name = "error after 10 s, 50 % of the series"}};
+    plot.curves = {{.name = "rk4, dt 0.01 s", .ascending = false, .x = {1}, .y = {2}}};
+    EXPECT_EQ(csv(plot), "curve,evaluations,\"error after 10 s, 50 % of the series\"\n\"rk4, dt 0.01 s\",1,2\n");
+}
+
 TEST(plot, axes_hold_every_value) {
     const Axes axes = plot::axes(two_curves(), {10, 20, 300, 100});
     EXPECT_FLOAT_EQ(axes.across.pixel(0), 10);
