@@ -1,6 +1,7 @@
 #include "ui/plot/draw_plot.hpp"
 
 #include "core/number_text.hpp"
+#include "plot/pointed.hpp"
 #include "ui/plot/legend.hpp"
 #include "ui/plot/plot_files.hpp"
 #include "ui/plot/plot_lines.hpp"
@@ -102,50 +103,42 @@ void draw_curves(const Context& context, const Plot& plot, const Lines& lines, c
     list.PopClipRect();
 }
 
-/// The point of a curve that the pointer is at: the one over it or, where x does not ascend, the nearest in pixels.
-std::size_t point_at(const Curve& curve, const plot::Axes& axes, ImVec2 pointer) {
-    if (curve.ascending) return plot::nearest(curve.x, axes.across.value(pointer.x));
-    const auto distance = [&](std::size_t i) {
-        return std::hypot(axes.across.pixel(curve.x[i]) - pointer.x, axes.up.pixel(curve.y[i]) - pointer.y);
-    };
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < curve.x.size(); ++i) {
-        if (distance(i) < distance(best)) best = i;
-    }
-    return best;
-}
-
 /// The ends of the bands over the pointer.
-std::string bands_at(const Plot& plot, double x) {
+std::string bands_at(const Plot& plot, const plot::Axes& axes, plot::Point pointer) {
     std::string text;
     for (const plot::Band& band : plot.bands) {
-        if (band.x.empty()) continue;
-        const std::size_t i = plot::nearest(band.x, x);
-        text += fmt::format("\n{}: {} to {}", band.name, setting_text(band.low[i], 5),
-                            with_unit(setting_text(band.high[i], 5), plot.y.unit));
+        const auto i = plot::place_at(band, axes, pointer);
+        if (!i) continue;
+        text += fmt::format("\n{}: {} to {}", band.name, setting_text(band.low[*i], 5),
+                            with_unit(setting_text(band.high[*i], 5), plot.y.unit));
     }
     return text;
+}
+
+/// A dot on a curve, where that is seen.
+void draw_dot(const Context& context, const Curve& curve, std::size_t i, const plot::Layout& layout) {
+    const auto& [across, up] = layout.axes;
+    if (!up.can_show(curve.y[i])) return;
+    const Area& frame = layout.frame;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = context.theme.scale() * 3;
+    list.PushClipRect({frame.x - radius, frame.y - radius}, {frame.right() + radius, frame.bottom() + radius}, true);
+    list.AddCircleFilled({across.pixel(curve.x[i]), up.pixel(curve.y[i])}, radius, ink_of(context, curve.colour));
+    list.PopClipRect();
 }
 
 /// A vertical line at the pointer, and the values of the curves there.
 void draw_values_under_pointer(const Context& context, const Plot& plot, const plot::Layout& layout, const Area& area) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
-    const auto& [across, up] = layout.axes;
     if (!layout.frame.contains(pointer.x, pointer.y)) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = std::round(pointer.x);
-    list.AddLine({line, layout.frame.y}, {line, layout.frame.bottom()}, colour::text_faint);
-    std::string text = plot.x.name + " " + with_unit(setting_text(across.value(pointer.x), 6), plot.x.unit);
-    for (const Curve& curve : plot.curves) {
-        if (curve.x.empty()) continue;
-        const std::size_t i = point_at(curve, layout.axes, pointer);
-        if (!std::isfinite(curve.y[i])) continue;
-        if (up.can_show(curve.y[i]))
-            list.AddCircleFilled({across.pixel(curve.x[i]), up.pixel(curve.y[i])}, context.theme.scale() * 3,
-                                 ink_of(context, curve.colour));
-        text.append("\n" + curve.name + ": " + with_unit(setting_text(curve.y[i], 5), plot.y.unit));
+    ImGui::GetWindowDrawList()->AddLine({line, layout.frame.y}, {line, layout.frame.bottom()}, colour::text_faint);
+    std::string text = plot.x.name + " " + with_unit(setting_text(layout.axes.across.value(pointer.x), 6), plot.x.unit);
+    for (const auto& [curve, i] : plot::points_at(plot, layout.axes, {pointer.x, pointer.y})) {
+        draw_dot(context, *curve, i, layout);
+        text.append("\n" + curve->name + ": " + with_unit(setting_text(curve->y[i], 5), plot.y.unit));
     }
-    text += bands_at(plot, across.value(pointer.x));
+    text += bands_at(plot, layout.axes, {pointer.x, pointer.y});
     tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
 }
 
