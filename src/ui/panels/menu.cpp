@@ -1,11 +1,15 @@
 #include "render/framing.hpp"
+#include "session/session.hpp"
 #include "ui/actions.hpp"
+#include "ui/panels/method_items.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/icons.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/window_command.hpp"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -35,15 +39,16 @@ void reset_layout(InterfaceState& state) {
     state.plots.window.reset();
 }
 
-void check_item(const Context& context, std::string_view widget, const char* label, bool& on) {
-    if (ImGui::MenuItem(label, nullptr, on)) on = !on;
+void check_item(const Context& context, std::string_view widget, const char* label, bool& on, bool enabled = true) {
+    if (ImGui::MenuItem(label, nullptr, on, enabled)) on = !on;
     context.mark(widget);
 }
 
 /// A menu beside an item of the menu, with what `items` draws.
 template <class Items>
-void menu_beside(const Context& context, std::string_view widget, const char* label, const Items& items) {
-    const bool open = ImGui::BeginMenu(label);
+void menu_beside(const Context& context, std::string_view widget, const char* label, const Items& items,
+                 bool enabled = true) {
+    const bool open = ImGui::BeginMenu(label, enabled);
     context.mark(widget);
     if (!open) return;
     items();
@@ -70,6 +75,25 @@ void draw_playing_items(const Context& context) {
     action_item(context, "menu/loop", "Repeat", Action::loop);
     action_item(context, "menu/faster", "Play faster", Action::faster);
     action_item(context, "menu/slower", "Play slower", Action::slower);
+}
+
+/// What stands as buttons over the plots, where the window has room for them.
+void draw_run_items(const Context& context) {
+    const std::size_t runs = 1 + context.session.followers.size();
+    const std::vector<ComboItem> methods = method_items(context.view);
+    size_item_list(context, methods);
+    menu_beside(
+        context, "menu/add run", "+ method",
+        [&] {
+            if (const auto chosen = item_list(context, "menu/add run", methods, std::nullopt))
+                context.events.send(event::AddRun{with_method(context.description(), methods[*chosen].id)});
+        },
+        runs < Session::most_runs);
+    action_item(context, "menu/twin", "Twin", Action::twin);
+    action_item(context, "menu/turn round", "Turn round", Action::turn_round);
+    bool equal = context.session.equal_cost;
+    check_item(context, "menu/equal cost", "Equal cost", equal, runs > 1);
+    if (equal != context.session.equal_cost) context.events.send(event::EqualCost{equal});
 }
 
 void draw_scale_items(const Context& context) {
@@ -105,7 +129,9 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/undo", "Undo", Action::undo);
     action_item(context, "menu/redo", "Redo", Action::redo);
     action_item(context, "menu/bookmark", "Mark this moment", Action::bookmark);
+    action_item(context, "menu/select box", "Select a box", Action::select_box);
     ImGui::Separator();
+    if (!context.session.playback) menu_beside(context, "menu/runs", "Runs", [&] { draw_run_items(context); });
     menu_beside(context, "menu/playing", "Playing", [&] { draw_playing_items(context); });
     action_item(context, "menu/previous scene", "Previous scene", Action::previous_scene);
     action_item(context, "menu/next scene", "Next scene", Action::next_scene);

@@ -37,15 +37,6 @@ void draw_group(const Context& context, std::string_view widget, std::string_vie
               colour::text_faint);
 }
 
-void draw_items(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t shown,
-                std::size_t& chosen) {
-    std::string_view group;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i].group != group) draw_group(context, widget, group = items[i].group);
-        if (draw_item(context, widget, items[i], i == shown)) chosen = i;
-    }
-}
-
 struct Box {
     ImVec2 from;
     ImVec2 to;
@@ -76,6 +67,24 @@ float list_width(const Context& context, std::span<const ComboItem> items) {
 
 }  // namespace
 
+std::optional<std::size_t> item_list(const Context& context, std::string_view widget, std::span<const ComboItem> items,
+                                     std::optional<std::size_t> shown) {
+    std::optional<std::size_t> chosen;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
+    std::string_view group;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].group != group) draw_group(context, widget, group = items[i].group);
+        if (draw_item(context, widget, items[i], i == shown)) chosen = i;
+    }
+    ImGui::PopStyleVar();
+    return chosen;
+}
+
+void size_item_list(const Context& context, std::span<const ComboItem> items, float least_width) {
+    ImGui::SetNextWindowSizeConstraints({std::max(least_width, list_width(context, items)), 0},
+                                        {context.px(420), 0.95f * static_cast<float>(context.display.height)});
+}
+
 bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width) {
     const WithId id(widget);
     const bool clicked = ImGui::InvisibleButton("box", {width, ImGui::GetFrameHeight()});
@@ -95,8 +104,7 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
     const Box box{corner, {corner.x + width, corner.y + ImGui::GetFrameHeight()}};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::SetNextItemWidth(width);
-    ImGui::SetNextWindowSizeConstraints({std::max(width, list_width(context, items)), 0},
-                                        {context.px(420), 0.95f * static_cast<float>(context.display.height)});
+    size_item_list(context, items, width);
     const bool open = ImGui::BeginCombo("##combo", "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     context.mark(widget, {box.from.x, box.from.y, box.to.x, box.to.y});
     if (!open) context.note_focus(widget);
@@ -104,9 +112,7 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
     if (!open) return false;
     close_if_asked(context);
     const std::size_t shown = chosen;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
-    draw_items(context, widget, items, shown, chosen);
-    ImGui::PopStyleVar();
+    chosen = item_list(context, widget, items, shown).value_or(shown);
     ImGui::EndCombo();
     return chosen != shown;
 }

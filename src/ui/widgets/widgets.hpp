@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,6 +85,12 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
 
 /// A box like that of combo() for choices that are made elsewhere. True when clicked.
 bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width);
+
+/// The items of a menu that is open, as combo() draws them. The one that was clicked.
+std::optional<std::size_t> item_list(const Context& context, std::string_view widget, std::span<const ComboItem> items,
+                                     std::optional<std::size_t> shown);
+/// The size of the menu that is opened next, which has them.
+void size_item_list(const Context& context, std::span<const ComboItem> items, float least_width = 0);
 
 /// How ImGui carries the name of an OpenGL texture.
 ImTextureID texture_id(std::uint32_t name);
