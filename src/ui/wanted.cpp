@@ -11,6 +11,7 @@ void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
     playing_.follow(view.playing, is_new);
     if (view.divergence && !diverged_) playing_.refused();  // it may have played too shortly for a view of that
     diverged_ = view.divergence.has_value();
+    at_start_ = view.frame.step == 0;
     rate_.follow(view.rate, is_new);
     ensemble_.follow(view.ensemble, is_new);
     running_ = view.description;
@@ -41,7 +42,8 @@ void Wanted::ask(const RunDescription& asked, EventSink& events) {
 }
 
 void Wanted::play(bool on, EventSink& events, bool backwards) {
-    playing_.ask(on);
+    const bool possible = played_back_ || !(backwards ? at_start_ : diverged_);
+    if (possible || !on) playing_.ask(on);
     events.send(event::Play{on, backwards});
 }
 

@@ -25,6 +25,8 @@ public:
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }
     const LiveEnsembleOptions& ensemble() const { return ensemble_.shown(); }
+    /// What cannot be played, a run that is over or the part before its start, is not shown as if it were: no view
+    /// would come that says otherwise.
     void play(bool on, EventSink& events, bool backwards = false);
     void set_rate(Rate rate, EventSink& events);
     void show_ensemble(const LiveEnsembleOptions& ensemble, EventSink& events);
@@ -65,6 +67,7 @@ private:
     Setting<LiveEnsembleOptions> ensemble_;
     bool played_back_ = false;
     bool diverged_ = false;
+    bool at_start_ = false;
     RunDescription running_;
     std::optional<RunDescription> asked_;
     unsigned asked_by_ = 0;  ///< the widget that was held when a change was asked for last; 0: none

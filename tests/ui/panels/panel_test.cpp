@@ -114,6 +114,27 @@ TEST(panel, a_run_that_does_not_start_to_play_is_shown_as_it_is) {
     EXPECT_THAT(desk.calls(), ElementsAre("play", "play"));
 }
 
+// The run stands still: no view would come to say that it does not play.
+TEST(panel, a_run_that_is_over_is_not_shown_as_if_it_played) {
+    Desk desk;
+    desk.view.divergence.emplace();
+    desk.show(desk.view);
+    desk.key(Key::space);
+    desk.view.divergence.reset();  // another run leads
+    desk.interface.record(desk.view);
+    desk.frame();
+    desk.key(Key::space);
+    EXPECT_THAT(desk.calls(), ElementsAre("play", "play")) << "no press is lost";
+}
+
+TEST(panel, what_stands_at_its_start_is_not_shown_as_if_it_played_backwards) {
+    Desk desk;
+    ASSERT_EQ(desk.view.frame.step, 0u);
+    desk.key(Key::j);
+    desk.key(Key::space);
+    EXPECT_THAT(desk.calls(), ElementsAre("play", "play"));
+}
+
 // It diverges before a view shows that it plays: from then on it stands, and Play is to play.
 TEST(panel, a_run_that_diverges_at_once_is_shown_as_it_stands) {
     for (const bool diverges : {true, false}) {
