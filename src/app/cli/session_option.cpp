@@ -22,6 +22,12 @@ void SessionOption::declare(CLI::App& app) {
     text_option(app, "--lesson", lesson_, "NAME|FILE", "Open a guided experiment (`steplab list lessons`)", "Window");
 }
 
+std::string GivenSession::played() const {
+    if (!trajectory.empty()) return fmt::format("the trajectory '{}'", shown(name));
+    if (film) return fmt::format("the session '{}'", shown(name));
+    return lesson ? fmt::format("the lesson '{}'", shown(name)) : "";
+}
+
 GivenSession SessionOption::session(const SceneOptions& scene) const {
     if (!lesson_.empty()) return lesson(scene);
     if (!trajectory_.empty()) return trajectory(scene);
@@ -32,7 +38,7 @@ GivenSession SessionOption::session(const SceneOptions& scene) const {
             fmt::format("'{}' is there: its session has a scene of its own. To record another one, give "
                         "the name of a new file",
                         shown(file_)));
-    return {.film = read_session_file(file_)};
+    return {.film = read_session_file(file_), .name = file_};
 }
 
 GivenSession SessionOption::lesson(const SceneOptions& scene) const {
@@ -41,7 +47,7 @@ GivenSession SessionOption::lesson(const SceneOptions& scene) const {
     if (scene.any_given())
         throw UsageError(
             fmt::format("the lesson '{}' has a scene of its own: no options of a scene go with it", shown(lesson_)));
-    return {.lesson = find_lesson(lesson_)};
+    return {.lesson = find_lesson(lesson_), .name = lesson_};
 }
 
 GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
@@ -50,7 +56,10 @@ GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
         throw UsageError(
             fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
     PlayedStart start = played_start(trajectory_);
-    return {.trajectory = trajectory_, .played_run = std::move(start.run), .columns = std::move(start.columns)};
+    return {.trajectory = trajectory_,
+            .played_run = std::move(start.run),
+            .columns = std::move(start.columns),
+            .name = trajectory_};
 }
 
 }  // namespace steplab

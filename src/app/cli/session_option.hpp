@@ -23,7 +23,10 @@ struct GivenSession {
     std::optional<RunDescription> played_run = {};  ///< that wrote the trajectory
     std::vector<std::string> columns = {};          ///< that its frames have besides
     std::optional<Lesson> lesson = {};
+    std::string name = {};  ///< of the file or lesson that is played, as it was given
 
+    /// What it plays, with its name, for messages; empty if the scene options say what runs.
+    std::string played() const;
     /// The run with which the window begins, if it is not that of the scene options.
     std::optional<RunDescription> start() const {
         if (lesson) return lesson->session->start;

@@ -77,7 +77,22 @@ void ViewOptions::declare(CLI::App& app) {
     runs_.declare(app);
 }
 
+/// What is played has its own runs.
+void ViewOptions::check_beside(const GivenSession& session) const {
+    const std::string played = session.played();
+    if (played.empty()) return;
+    const auto refuse = [&](std::string_view option) {
+        throw UsageError(
+            fmt::format("{} goes beside a run, but {} is played alone: leave it out, or give a scene "
+                        "(--model, --scene) in place of what is played",
+                        option, played));
+    };
+    if (runs_.are_given()) refuse("--run");
+    if (!session.lesson && ensemble_.is_given()) refuse("--ensemble");
+}
+
 WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, GivenSession session) const {
+    check_beside(session);
     const RunDescription& description = runs.front();
     WindowRequest request;
     request.followers.assign(runs.begin() + 1, runs.end());
@@ -98,8 +113,6 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
     request.playing = playing_ || session.film;
     if (session.film && request.steps > 0)
         throw UsageError("--steps and --until are of a new run: a session that is played begins at its start");
-    if (!session.trajectory.empty() && (ensemble_.is_given() || runs.size() > 1))
-        throw UsageError("--ensemble goes beside a run: a trajectory is played alone");
     check_column(request.style, session.columns);
     request.session = std::move(session);
     return request;

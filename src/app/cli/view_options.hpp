@@ -63,6 +63,9 @@ public:
     }
 
 private:
+    /// Throws UsageError for options that say nothing of what is played.
+    void check_beside(const GivenSession& session) const;
+
     TimeOptions time_{0};
     AppearanceOptions appearance_;
     PictureContentOptions content_;
