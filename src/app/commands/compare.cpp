@@ -43,18 +43,16 @@ std::string cell(const std::optional<double>& number) {
     return number && std::isfinite(*number) ? number_text(*number) : "";
 }
 
-/// The largest of what a run showed at any sample.
+/// The largest of what a run showed at any sample that it reached.
 struct Worst {
     double error = 0, energy_error = 0;
+    double until = 0;  ///< the last of these samples
     std::optional<Compared> last;
-    std::optional<double> ended;  ///< time of the sample that it did not reach
 
     void add(double time, const std::optional<Compared>& compared) {
-        if (!compared) {
-            if (!ended) ended = time;
-            return;
-        }
+        if (!compared) return;
         last = compared;
+        until = time;
         error = std::max(error, compared->error);
         energy_error = larger_magnitude(energy_error, compared->energy_error.value_or(0));
     }
@@ -119,14 +117,27 @@ private:
                            cell(compared.reference_error), compared.evaluations);
     }
 
+    /// A run that diverged has none but of the samples before, which say little: at the start all errors are 0.
+    static std::string largest_error(const Worst& worst, const Simulation& run) {
+        const std::string error = worst.last ? typed(worst.error, 3) : "";
+        const auto& divergence = run.divergence();
+        if (!divergence) return error;
+        const std::string where = fmt::format("diverged at t = {} s", typed(divergence->time, 4));
+        return worst.until > 0 ? fmt::format("{} ({} before)", where, error) : where;
+    }
+
+    static std::string largest_energy_error(const Worst& worst, const Simulation& run) {
+        const bool known = worst.last && worst.last->energy_error && (!run.divergence() || worst.until > 0);
+        return known ? typed(worst.energy_error, 3) : "";
+    }
+
     /// For people: on standard error where the rows are on standard output.
     void print_summary(const RunComparison& comparison, const std::vector<Worst>& worst) const {
         std::vector<Row> rows{{"RUN", "LARGEST ERROR [m]", "ENERGY ERROR [J]", "EVALUATIONS", "REFERENCE"}};
         for (std::size_t i = 0; i < worst.size(); ++i) {
-            const auto& last = worst[i].last;
-            rows.push_back({std::to_string(i), last ? typed(worst[i].error, 3) : "",
-                            last && last->energy_error ? typed(worst[i].energy_error, 3) : "",
-                            last ? std::to_string(last->evaluations) : "", comparison.reference(i)});
+            const Simulation& run = comparison.run(i);
+            rows.push_back({std::to_string(i), largest_error(worst[i], run), largest_energy_error(worst[i], run),
+                            worst[i].last ? std::to_string(run.evaluations()) : "", comparison.reference(i)});
         }
         print_beside(aligned(rows, 2), out_ == "-");
     }

@@ -58,6 +58,25 @@ TEST(CompareCommand, ends_the_rows_of_a_run_that_diverges) {
     EXPECT_THAT(outcome.out, testing::Not(HasSubstr("\n600,0,")));
 }
 
+TEST(CompareCommand, a_run_that_diverges_does_not_look_best_in_the_table) {
+    const std::vector<std::string> diverging{"compare", "--model",         "chain", "--until",           "600",
+                                             "--run",   "method=rk4,dt=2", "--run", "method=rk4,dt=0.1", "--samples"};
+    const auto row_of = [&](const std::string& samples) {
+        std::vector<std::string> words = diverging;
+        words.push_back(samples);
+        const Outcome outcome = run_program(words);
+        for (const std::string& line : split(outcome.err, '\n')) {
+            if (line.starts_with("  0    ")) return line;
+        }
+        ADD_FAILURE() << outcome.err;
+        return std::string();
+    };
+    const std::string before_any = row_of("6"), after_one = row_of("300");
+    // step 4 is the last good one, and the samples of the first are 100 s apart, those of the other 2 s
+    EXPECT_THAT(before_any, testing::ContainsRegex("  diverged at t = 8 s +16  ")) << "it has no energy error";
+    EXPECT_THAT(after_one, testing::ContainsRegex("  diverged at t = 8 s \\(13\\.[0-9]+ before\\)  "));
+}
+
 TEST(CompareCommand, refuses_what_it_cannot_compare) {
     const std::vector<std::string> base{"compare", "--model", "chain", "--until", "1"};
     const auto refuses = [&](std::vector<std::string> more, const char* message) {
