@@ -85,8 +85,8 @@ constexpr std::string_view longest_spread_text = "spread: max 8.8e-88 m, rms 8.8
 std::string spread_text(const RunView& view) {
     const EnsembleSpread& reading = view.ensemble_spread;
     if (view.frame.ensemble.empty()) return fmt::format("computing: step {} of {}", reading.step, view.frame.step);
-    std::string text = fmt::format("spread: max {}, rms {}", with_unit(rounded_text(reading.largest), "m"),
-                                   with_unit(rounded_text(reading.root_mean_square), "m"));
+    std::string text = fmt::format("spread: max {}, rms {}", with_unit(error_text(reading.largest), "m"),
+                                   with_unit(error_text(reading.root_mean_square), "m"));
     if (reading.lost > 0)
         text += fmt::format(", {} diverged", counted(static_cast<double>(reading.lost), "run", "runs"));
     return text;

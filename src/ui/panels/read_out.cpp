@@ -24,11 +24,11 @@ struct Line {
 void append_reference_error(std::vector<Line>& lines, const SessionErrors& errors, const RunView& view) {
     const Compared& lead = *errors.runs.front();
     const bool late = errors.time < view.frame.time - 1e-9;
-    lines.push_back({fmt::format("position error: {} (against a reference{})", with_unit(rounded_text(lead.error), "m"),
+    lines.push_back({fmt::format("position error: {} (against a reference{})", with_unit(error_text(lead.error), "m"),
                                  late ? fmt::format(", at t = {} s", typed(errors.time, 4)) : "")});
     const double rounding = 1e-13 * view.frame.shape->spacing;  // more accurate than that is accurate enough
     if (lead.reference_error > std::max(rounding, 0.1 * lead.error))
-        lines.push_back({"the reference is accurate to " + with_unit(rounded_text(lead.reference_error), "m") + " only",
+        lines.push_back({"the reference is accurate to " + with_unit(error_text(lead.reference_error), "m") + " only",
                          colour::caution});
 }
 
@@ -44,7 +44,7 @@ void append_error(std::vector<Line>& lines, const Context& context) {
         if (!view.why_not_exact.empty()) lines.push_back({"position error unknown: " + view.why_not_exact});
         return;
     }
-    lines.push_back({"position error: " + with_unit(rounded_text(*error), "m") + " (against the exact solution)"});
+    lines.push_back({"position error: " + with_unit(error_text(*error), "m") + " (against the exact solution)"});
     const double scale = std::max(history.largest_displacement(), view.diagnostics.max_displacement);
     const double worst = std::max(history.largest_error(), *error);
     const auto digits = correct_digits(worst, scale, view.description.precision);
@@ -68,11 +68,11 @@ std::vector<Line> lines_of(const Context& context) {
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
     if (context.session.playback && !context.session.playback->measured) return lines;
     const std::string energy = view.facts.drag > 0 ? "energy change: " : "energy error: ";
-    lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
+    lines.push_back({energy + with_unit(error_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
     append_error(lines, context);
     if (!view.frame.ensemble.empty())
-        lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
+        lines.push_back({"ensemble spread: max " + with_unit(error_text(view.ensemble_spread.largest), "m")});
     for (const std::string& note : view.notes) lines.push_back({note, colour::caution});
     append_selection(lines, context);
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });

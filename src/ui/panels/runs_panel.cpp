@@ -41,26 +41,26 @@ std::string errors_text(const Context& context, std::size_t run) {
     const auto& errors = context.pictured.errors;
     if (!compared && errors && errors->runs.empty()) return "error unknown: " + errors->how;
     if (!compared) return "computing the reference";
-    std::string text = fmt::format("error\u00a0{}\u00a0m", rounded_text(compared->error));
-    if (compared->energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", rounded_text(*compared->energy_error));
-    return text + fmt::format(" · {}\u00a0evaluations", rounded_text(static_cast<double>(compared->evaluations)));
+    std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
+    if (compared->energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", error_text(*compared->energy_error));
+    return text + fmt::format(" · {}\u00a0evaluations", count_text(static_cast<double>(compared->evaluations)));
 }
 
 constexpr std::string_view longest_errors_text =
-    "error\u00a08.8e-88\u00a0m · energy\u00a0-8.8e-88\u00a0J · 8.8e88\u00a0evaluations";
+    "error\u00a08.8e-88\u00a0m · energy\u00a0-8.8e-88\u00a0J · 8.88e88\u00a0evaluations";
 
 /// The rest of what is known of them.
 std::string more_errors_text(const Compared& compared, const std::optional<double>& cost) {
     std::string text =
-        fmt::format("largest error of a position {}, root mean square {}", with_unit(rounded_text(compared.error), "m"),
-                    with_unit(rounded_text(compared.rms_error), "m"));
-    if (compared.energy_error) text += "\nenergy error " + with_unit(rounded_text(*compared.energy_error), "J");
+        fmt::format("largest error of a position {}, root mean square {}", with_unit(error_text(compared.error), "m"),
+                    with_unit(error_text(compared.rms_error), "m"));
+    if (compared.energy_error) text += "\nenergy error " + with_unit(error_text(*compared.energy_error), "J");
     if (compared.momentum_error)
-        text += "\nmomentum error " + with_unit(rounded_text(*compared.momentum_error), "kg m/s");
+        text += "\nmomentum error " + with_unit(error_text(*compared.momentum_error), "kg m/s");
     if (compared.phase_error) {
-        text += fmt::format("\nphase error {}, {} the motion",
-                            with_unit(rounded_text(std::abs(*compared.phase_error)), "s"),
-                            *compared.phase_error < 0 ? "behind" : "ahead of");
+        text +=
+            fmt::format("\nphase error {}, {} the motion", with_unit(error_text(std::abs(*compared.phase_error)), "s"),
+                        *compared.phase_error < 0 ? "behind" : "ahead of");
     }
     const double rate = static_cast<double>(compared.evaluations) / compared.time;
     if (compared.time > 0) text += fmt::format("\n{} force evaluations per simulated second", rounded_text(rate));
@@ -121,7 +121,7 @@ std::string reference_text(const Context& context) {
     if (errors->time < run_of(context, 0).frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
     if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
-        text += fmt::format(", accurate to {}\u00a0m", rounded_text(lead->reference_error));
+        text += fmt::format(", accurate to {}\u00a0m", error_text(lead->reference_error));
     return text;
 }
 

@@ -28,6 +28,16 @@ std::string time_text(double time, double dt) {
     return fmt::format("{:.{}f}", time, static_cast<int>(decimals));
 }
 
+std::string count_text(double count) {
+    return std::abs(count) < 999'999.5 ? fmt::format("{:.0f}", count) : setting_text(count, 3);
+}
+
+std::string error_text(double error) {
+    const double size = std::abs(error);
+    if (!(size >= 0.01 && size < 9.95)) return rounded_text(error);
+    return fmt::format("{:#.2g}", error);
+}
+
 std::string counted(double count, std::string_view one, std::string_view many) {
     return fmt::format("{:g} {}", count, count == 1 ? one : many);
 }

@@ -15,6 +15,10 @@ std::string with_unit(std::string text, std::string_view unit);
 std::string vector(Vec3 value);
 /// A time with the decimals that a step of dt can change: "12.300"; from 1e9 on with 9 digits, "1.2e9".
 std::string time_text(double time, double dt);
+/// A count, in full up to 999 999: "12345"; larger ones with three digits, "1.23e6".
+std::string count_text(double count);
+/// An error, with two significant digits also where one is a zero: "0.10", "2.1e-7", "0".
+std::string error_text(double error);
 /// "1 step", "2 steps".
 std::string counted(double count, std::string_view one, std::string_view many);
 

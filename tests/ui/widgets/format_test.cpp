@@ -51,6 +51,27 @@ TEST(format, dragged_values_are_short_to_write) {
     EXPECT_EQ(rounded_for_slider(0, 0, 10, false), 0);
 }
 
+TEST(format, counts_are_shown_in_full_up_to_a_million) {
+    EXPECT_EQ(count_text(0), "0");
+    EXPECT_EQ(count_text(1104), "1104");
+    EXPECT_EQ(count_text(999'999), "999999");
+    EXPECT_EQ(count_text(999'999.7), "1.0e6");
+    EXPECT_EQ(count_text(1'234'567), "1.23e6");
+}
+
+TEST(format, errors_have_two_significant_digits) {
+    EXPECT_EQ(error_text(0.1), "0.10");
+    EXPECT_EQ(error_text(0.31), "0.31");
+    EXPECT_EQ(error_text(5), "5.0");
+    EXPECT_EQ(error_text(-0.2), "-0.20");
+    EXPECT_EQ(error_text(0.0996), "0.10");
+    EXPECT_EQ(error_text(9.96), "10");
+    EXPECT_EQ(error_text(2.1e-7), "2.1e-7");
+    EXPECT_EQ(error_text(1e-3), "1.0e-3");
+    EXPECT_EQ(error_text(0), "0");
+    EXPECT_EQ(error_text(NAN), "not a number");
+}
+
 TEST(rate, keys_step_through_nice_numbers) {
     Rate rate;
     std::vector<double> up;
