@@ -84,6 +84,15 @@ void draw_swatch(const Context& context, std::size_t run) {
     ImGui::SameLine(0, context.px(8));
 }
 
+/// What the pointer is told of a run at its name: the whole name, its errors, what a click does.
+std::string told_of_run(const Context& context, std::size_t run, const std::string& title) {
+    std::string text = title + "\n" + offset_text(context, run);
+    if (const Compared* const compared = compared_of(context, run))
+        text += more_errors_text(*compared, run_of(context, run).cost) + "\n";
+    return text + (run == 0 ? "the leading run: settings and time line are its own"
+                            : "click to make it the leading run, whose settings are shown");
+}
+
 /// A click on the name of a run makes it lead: the other sections are then its settings.
 void draw_run(const Context& context, std::size_t run) {
     const std::string widget = fmt::format("run {}", run);
@@ -96,11 +105,9 @@ void draw_run(const Context& context, std::size_t run) {
     const bool clicked = ImGui::InvisibleButton("lead", {std::max(1.0f, room), ImGui::GetTextLineHeight()});
     context.mark(widget);
     const ImVec2 corner = ImGui::GetItemRectMin();
-    text_left(corner.x, 0.5f * (corner.y + ImGui::GetItemRectMax().y), title,
+    text_left(corner.x, 0.5f * (corner.y + ImGui::GetItemRectMax().y), shortened(title, room),
               ImGui::IsItemHovered() && run > 0 ? colour::bright : colour::text);
-    tooltip(context,
-            offset_text(context, run) + (run == 0 ? "the leading run: settings and time line are its own"
-                                                  : "click to make it the leading run, whose settings are shown"));
+    tooltip(context, told_of_run(context, run, title));
     if (clicked && run > 0) context.events.send(event::Lead{run});
     ImGui::SameLine(0, context.px(4));
     if (cross_button(context, widget + ".remove")) context.events.send(event::RemoveRun{run});

@@ -96,6 +96,19 @@ std::string in_words(std::string_view text, float width) {
     return lines;
 }
 
+std::string shortened(std::string_view text, float width) {
+    if (text_size(text).x <= width) return std::string(text);
+    const auto inside = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // of a character
+    std::string shorter(text);
+    std::string cut;
+    do {
+        while (!shorter.empty() && inside(shorter.back())) shorter.pop_back();
+        if (!shorter.empty()) shorter.pop_back();
+        cut = shorter.substr(0, shorter.find_last_not_of(" ,") + 1) + "…";
+    } while (!shorter.empty() && text_size(cut).x > width);
+    return cut;
+}
+
 namespace {
 
 /// As explanation() breaks it into lines, at its separators where it has some.

@@ -52,6 +52,8 @@ std::string in_lines(const std::string& text, float width);
 /// With line breaks in place of blanks where it is wider than that in the present font. ImGui would break numbers at
 /// their decimal points, too.
 std::string in_words(std::string_view text, float width);
+/// The text, or as much of its beginning as has room before "…" in the present font.
+std::string shortened(std::string_view text, float width);
 /// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
 /// How many lines such a paragraph has.

@@ -1,11 +1,29 @@
 #include "ui/widgets/layout.hpp"
 
 #include "ui/desk.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <gtest/gtest.h>
 
 namespace steplab::ui {
 namespace {
+
+TEST(shortened, text_ends_in_an_ellipsis_where_it_has_no_room) {
+    Desk desk;
+    desk.frame();
+    const std::string text = "velocity-verlet, dt 0.00123 s, double, \u03c9 3.21";
+    const auto width = [](const std::string& t) { return ImGui::CalcTextSize(t.c_str()).x; };
+    EXPECT_EQ(shortened(text, width(text)), text);
+    for (float room = width("…"); room < width(text); room += 3) {
+        const std::string shorter = shortened(text, room);
+        EXPECT_LE(width(shorter), room);
+        ASSERT_TRUE(shorter.ends_with("…"));
+        const std::string kept = shorter.substr(0, shorter.size() - std::string("…").size());
+        EXPECT_TRUE(text.starts_with(kept));
+        EXPECT_TRUE(kept.empty() || (static_cast<unsigned char>(text[kept.size()]) & 0xc0) != 0x80)
+            << "no character is cut in two";
+    }
+}
 
 bool overlap(const Area& a, const Area& b) {
     return !a.empty() && !b.empty() && a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
