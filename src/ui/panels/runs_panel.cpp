@@ -101,8 +101,8 @@ void draw_run(const Context& context, std::size_t run) {
     const std::string title =
         run_name(run == 0 ? context.description() : run_of(context, run).description, context.view.description);
     const WithFont font(run == 0 ? context.theme.fonts().strong : context.theme.fonts().body);
-    const float room = ImGui::GetContentRegionAvail().x - context.px(22);
-    const bool clicked = ImGui::InvisibleButton("lead", {std::max(1.0f, room), ImGui::GetTextLineHeight()});
+    const float room = std::max(1.0f, ImGui::GetContentRegionAvail().x - context.px(22));
+    const bool clicked = ImGui::InvisibleButton("lead", {room, ImGui::GetTextLineHeight()});
     context.mark(widget);
     const ImVec2 corner = ImGui::GetItemRectMin();
     text_left(corner.x, 0.5f * (corner.y + ImGui::GetItemRectMax().y), shortened(title, room),
@@ -152,7 +152,7 @@ constexpr ParameterInfo magnify_info{.name = "magnify",
 void draw_magnify(const Context& context) {
     double& factor = context.stage.style.magnify;
     slider_row(context, {.widget = "magnify",
-                         .label = "magnify",
+                         .label = "differences",
                          .tooltip = "how many times as far as they are the ghosts are drawn from the leading run",
                          .value_text = rounded_text(factor),
                          .entry_text = typed(factor),
