@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace steplab::ui {
@@ -95,6 +96,35 @@ TEST_F(Hands, alt_drag_selects_what_is_in_the_box) {
     drag_box(2, 2);
     EXPECT_THAT(others(), ElementsAre(2, 8)) << "with Shift, they are added";
     EXPECT_EQ(desk.camera, before);
+}
+
+TEST_F(Hands, what_differs_among_the_selected_is_not_shown_as_that_of_the_first) {
+    RunView view = view_of(simulation, 5);
+    Shape shape = *view.frame.shape;
+    shape.roles[5] = Role::fixed;
+    view.frame.shape = std::make_shared<const Shape>(shape);
+    desk.show(view);
+    hold_keys({.shift = true});
+    click(7);
+    hold_keys({});
+    desk.frame();
+    desk.click("selection.fixed");
+    ASSERT_FALSE(desk.recorder.changes.empty());
+    EXPECT_EQ(desk.wanted().alterations.of(7).fixed, true) << "one is fixed and one is not: a click fixes both";
+    EXPECT_EQ(desk.wanted().alterations.of(5).fixed, true);
+}
+
+TEST_F(Hands, the_mass_of_the_first_is_not_given_to_others_unasked) {
+    RunDescription description = describe("chain");
+    description = with_alterations(description, std::vector<Alteration>{{.particle = 7, .mass = 4}});
+    desk.show(view_of(Simulation(description), 5));
+    hold_keys({.shift = true});
+    click(7);
+    hold_keys({});
+    desk.click("selection.mass.value");
+    desk.key(Key::enter);
+    EXPECT_THAT(desk.recorder.changes, IsEmpty()) << "the entry of a mixed selection is empty";
+    EXPECT_TRUE(desk.has("refusal"));
 }
 
 TEST_F(Hands, an_empty_box_leaves_the_first_one_alone) {

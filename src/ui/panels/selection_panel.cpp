@@ -26,6 +26,22 @@ Alteration asked_of(const Context& context, std::size_t particle) {
     return context.description().alterations.of(particle);
 }
 
+double asked_mass(const Context& context, std::size_t particle) {
+    return asked_of(context, particle).mass.value_or(mass_of(context.view, particle));
+}
+
+bool asked_fixed(const Context& context, std::size_t particle) {
+    const bool now = context.view.frame.shape->roles[particle] == Role::fixed;
+    return asked_of(context, particle).fixed.value_or(now);
+}
+
+/// True if a value is not the same of all particles.
+template <class Value>
+bool differs(const Particles& particles, const Value& value) {
+    return std::any_of(particles.begin(), particles.end(),
+                       [&](std::size_t particle) { return value(particle) != value(particles.front()); });
+}
+
 void alter(const Context& context, const Particles& particles, Alteration how) {
     std::vector<Alteration> all;
     for (const std::size_t particle : particles) {
@@ -36,8 +52,10 @@ void alter(const Context& context, const Particles& particles, Alteration how) {
 }
 
 void draw_mass(const Context& context, const Particles& particles) {
-    const double mass = asked_of(context, particles.front()).mass.value_or(mass_of(context.view, particles.front()));
+    const auto mass_now = [&](std::size_t particle) { return asked_mass(context, particle); };
+    const double mass = mass_now(particles.front());
     if (!(mass > 0)) return;
+    const bool mixed = differs(particles, mass_now);
     const auto set = [&](double value) { alter(context, particles, {.mass = value}); };
     ParameterInfo info = altered_mass;
     info.default_value = usual_mass(context.view, mass);
@@ -46,21 +64,22 @@ void draw_mass(const Context& context, const Particles& particles) {
                             .widget = "selection.mass",
                             .label = info.name,
                             .tooltip = help,
-                            .value_text = with_unit(setting_text(mass), info.unit),
-                            .entry_text = format_value(info, mass),
+                            .value_text = mixed ? "mixed" : with_unit(setting_text(mass), info.unit),
+                            .entry_text = mixed ? "" : format_value(info, mass),
                             .value = mass,
                             .default_value = info.default_value,
                             .range = {info.slider_low, info.slider_high, info.slider_logarithmic, false},
-                            .style = {},
+                            .style = {.fill = mixed ? colour::track : colour::accent},
                             .set = set,
                             .set_text = [&](std::string_view typed) { set(parse_value(info, typed)); },
                         });
 }
 
 void draw_fixed(const Context& context, const Particles& particles) {
-    const bool now = context.view.frame.shape->roles[particles.front()] == Role::fixed;
-    bool on = asked_of(context, particles.front()).fixed.value_or(now);
-    if (check_row(context, "selection.fixed", "fixed", on)) alter(context, particles, {.fixed = on});
+    const auto fixed_now = [&](std::size_t particle) { return asked_fixed(context, particle); };
+    bool on = fixed_now(particles.front());
+    if (check_row(context, "selection.fixed", "fixed", on, differs(particles, fixed_now)))
+        alter(context, particles, {.fixed = on});
     tooltip(context, "hold the selected particles where they are; the run continues");
 }
 

@@ -162,22 +162,28 @@ void reading_row(const Context& context, std::string_view label, std::string_vie
     text_right(from.x + width, y, value, colour::text);
 }
 
-bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on) {
+bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on, bool mixed) {
     const WithId id(widget);
     const float box = context.px(14);
     const float gap = context.px(8);
     const float height = std::max(box, ImGui::GetTextLineHeight()) + context.px(2);
     const bool clicked = ImGui::InvisibleButton("box", {box + gap + text_size(label).x, height});
     context.mark(widget);
-    if (clicked) on = !on;
+    if (clicked) on = mixed || !on;
     const ImVec2 from = ImGui::GetItemRectMin();
     const float y = 0.5f * (from.y + ImGui::GetItemRectMax().y);
     const ImVec2 corner{from.x, std::round(y - 0.5f * box)};
-    const ImU32 fill = on ? (ImGui::IsItemHovered() ? colour::accent_hover : colour::accent) : control_colour();
+    const bool filled = on || mixed;
+    const ImU32 fill = filled ? (ImGui::IsItemHovered() ? colour::accent_hover : colour::accent) : control_colour();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(corner, {corner.x + box, corner.y + box}, fill, context.px(3));
-    if (!on) list.AddRect(corner, {corner.x + box, corner.y + box}, colour::track, context.px(3));
-    if (on) draw_tick(corner, box, context.theme.scale() * 1.8f);
+    if (!filled) list.AddRect(corner, {corner.x + box, corner.y + box}, colour::track, context.px(3));
+    const float thickness = context.theme.scale() * 1.8f;
+    if (mixed)
+        list.AddLine({corner.x + 0.25f * box, corner.y + 0.5f * box}, {corner.x + 0.75f * box, corner.y + 0.5f * box},
+                     colour::on_accent, thickness);
+    else if (on)
+        draw_tick(corner, box, thickness);
     text_left(from.x + box + gap, y, label, colour::text);
     return clicked;
 }

@@ -65,8 +65,9 @@ void row_label(const Context& context, std::string_view label, std::string_view 
 /// "kinetic          0.213 J"
 void reading_row(const Context& context, std::string_view label, std::string_view value, std::string_view tooltip = {});
 
-/// A check box with a label. True when clicked; `on` then has the new state.
-bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on);
+/// A check box with a label. True when clicked; `on` then has the new state. `mixed`: of what it stands for, some are
+/// on and some are not; a click puts all on.
+bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on, bool mixed = false);
 
 /// A switch that shows all choices. True if another one was chosen. `help`: its tooltip, with the terms of the choices.
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
@@ -85,14 +86,14 @@ struct ComboItem {
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
            float width);
 
-/// A box like that of combo() for choices that are made elsewhere. True when clicked.
-bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width);
-
 /// The items of a menu that is open, as combo() draws them. The one that was clicked.
 std::optional<std::size_t> item_list(const Context& context, std::string_view widget, std::span<const ComboItem> items,
                                      std::optional<std::size_t> shown);
 /// The size of the menu that is opened next, which has them.
 void size_item_list(const Context& context, std::span<const ComboItem> items, float least_width = 0);
+
+/// A box like that of combo() for choices that are made elsewhere. True when clicked.
+bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width);
 
 /// How ImGui carries the name of an OpenGL texture.
 ImTextureID texture_id(std::uint32_t name);
