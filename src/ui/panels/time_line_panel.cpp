@@ -1,7 +1,6 @@
-#include "core/entry.hpp"
 #include "core/number_text.hpp"
-#include "core/text.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/typed_moment.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -15,26 +14,12 @@
 namespace steplab::ui {
 namespace {
 
-constexpr ParameterInfo time_info{.name = "t", .unit = "s", .minimum = 0, .what = "time"};
-constexpr ParameterInfo step_info{
-    .name = "step", .kind = ParameterInfo::Kind::integer, .unit = "", .minimum = 0, .maximum = 9e15, .what = "step"};
-
 constexpr std::string_view time_line_help =
     "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
     "click on the time to type one, or \"step 120\"";
 constexpr std::string_view playback_help =
     "drag to go back and forth in the file\n"
     "click on the time to type one, or \"step 120\"";
-
-/// "12.5", or "step 120".
-void go_to(const Context& context, std::string_view typed) {
-    constexpr std::string_view word = "step ";
-    if (typed.starts_with(word)) {
-        const double step = parse_value(step_info, typed.substr(word.size()));
-        return context.events.send(event::Seek{static_cast<std::uint64_t>(step)});
-    }
-    context.events.send(event::SeekTime{parse_value(time_info, typed)});
-}
 
 /// Places on the track of the slider, in pixels.
 class Track {
@@ -176,7 +161,7 @@ void draw_time_line(const Context& context) {
                          .range = {0, end, false, false},
                          .style = {},
                          .set = [&](double time) { seek(context, time); },
-                         .set_text = [&](std::string_view typed) { go_to(context, typed); },
+                         .set_text = [&](std::string_view typed) { context.events.send(typed_moment(typed)); },
                          .longest_text = end_text});
     end_scrubbing(context);
 }
