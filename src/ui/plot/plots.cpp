@@ -185,12 +185,31 @@ std::optional<Range> recent(const SampleSeries& series) {
     return Range{std::min(from, to), std::max(from, to)};
 }
 
+/// Of a whole run from its start at t = 0, also where the first value is that after the first step, as errors are.
+std::optional<Range> from_start(const Plot& plot) {
+    bool whole = false;
+    Range range{0, 0};
+    for (const Curve& curve : plot.curves) {
+        if (curve.x.size() < 2) continue;
+        const double interval = curve.x[1] - curve.x[0];
+        constexpr double rounding = 1 + 1e-6;
+        whole = whole || (curve.x.front() > 0 && curve.x.front() <= rounding * interval);
+        range.low = std::min(range.low, curve.x.front());
+        range.high = std::max(range.high, curve.x.back());
+    }
+    for (const plot::Band& band : plot.bands) {
+        if (!band.x.empty()) range.high = std::max(range.high, band.x.back());
+    }
+    return whole ? std::optional(range) : std::nullopt;
+}
+
 /// The part of time that is shown, what was done in it, and where the run stands.
 void add_time(Plot& plot, const Context& context, PlotKind kind) {
     const bool oscillates = kind == PlotKind::displacement || kind == PlotKind::velocity;
     const SampleSeries& series = context.view.series;
     plot.x.range = context.state.plots.window;
     if (!plot.x.range && oscillates) plot.x.range = recent(series);
+    if (!plot.x.range) plot.x.range = from_start(plot);
     for (const Mark& change : context.session.line.changes) plot.moments.push_back({change.time, change.text});
     if (!series.samples.empty() && context.view.frame.step < series.samples.back().step)
         plot.now = context.view.frame.time;

@@ -56,6 +56,24 @@ TEST(plots, of_energy_are_relative_where_the_scene_has_a_scale) {
     EXPECT_EQ(saved_csv(recorded.desk, "energy error"), expected);
 }
 
+TEST(plots, of_a_whole_run_begin_at_its_start) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    auto& samples = recorded.desk.view.series.samples;
+    recorded.desk.frame();
+    const std::string whole = saved_svg(recorded.desk, 1);
+    samples.erase(samples.begin());
+    recorded.desk.frame();
+    const std::string from_first_step = saved_svg(recorded.desk, 2);
+    EXPECT_NE(whole.find(">0</text>"), std::string::npos);
+    EXPECT_NE(from_first_step.find("text-anchor=\"middle\" fill=\"#1b2430\">0</text>"), std::string::npos)
+        << "the first value is that after the first step";
+    samples.erase(samples.begin(), samples.begin() + 5);
+    recorded.desk.frame();
+    EXPECT_EQ(saved_svg(recorded.desk, 3).find("text-anchor=\"middle\" fill=\"#1b2430\">0</text>"), std::string::npos)
+        << "what was sampled later begins there";
+}
+
 TEST(plots, of_energies_add_up) {
     const OwnFolder folder;
     Recorded recorded("chain");
