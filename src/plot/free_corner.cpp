@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace steplab::plot {
 namespace {
@@ -16,6 +17,18 @@ void cut(float start, float way, float low, float high, float& from, float& to) 
     const float a = (low - start) / way, b = (high - start) / way;
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));
+}
+
+/// The highest point that is higher than both of its neighbours: what a plot is looked at for.
+std::optional<Point> highest_peak(std::span<const std::vector<Point>> lines, const Box& frame) {
+    std::optional<Point> best;
+    for (const std::vector<Point>& line : lines) {
+        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+            const bool peak = line[i].y < line[i - 1].y && line[i].y < line[i + 1].y;
+            if (peak && frame.contains(line[i].x, line[i].y) && (!best || line[i].y < best->y)) best = line[i];
+        }
+    }
+    return best;
 }
 
 }  // namespace
@@ -42,10 +55,11 @@ float length_within(std::span<const Point> line, const Box& box) {
 
 Corner free_corner(std::span<const std::vector<Point>> lines, const Box& frame, const Box& card, float above,
                    Corner present, float worth) {
+    const std::optional<Point> peak = highest_peak(lines, frame);
     const auto covered = [&](Corner corner) {
-        float sum = 0;
-        for (const std::vector<Point>& line : lines)
-            sum += length_within(line, card_in(frame, corner, card.width, card.height, above));
+        const Box box = card_in(frame, corner, card.width, card.height, above);
+        float sum = peak && box.contains(peak->x, peak->y) ? 2 * (card.width + card.height) : 0;
+        for (const std::vector<Point>& line : lines) sum += length_within(line, box);
         return sum;
     };
     constexpr std::array corners{Corner::top_right, Corner::top_left, Corner::bottom_right, Corner::bottom_left};

@@ -2,12 +2,14 @@
 
 #include "core/markup.hpp"
 #include "plot/curve_names.hpp"
+#include "plot/free_corner.hpp"
 #include "plot/layout.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace steplab::plot {
 namespace {
@@ -82,26 +84,24 @@ public:
         return text_at(14, height_ - 8, "start", inks_.dim, plot_.caption, " font-size=\"10\"");
     }
 
-    /// One below the other on a card in the right upper corner.
+    /// One below the other on a card in the corner where it covers least.
     std::string legend() const {
         if (plot_.curves.size() + plot_.bands.size() < 2) return {};
-        std::string text;
-        const float right = layout_.frame.right() - 8, top = layout_.frame.y + 14;
-        float y = top, widest = 0;
+        const Box card = legend_card();
+        const float right = card.right() - 4;
+        float y = card.y + 13;
+        std::string text = fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" fill-opacity=\"0.8\"/>\n",
+            card.x, card.y, card.width, card.height, inks_.paper);
         const auto add = [&](const std::string& name, const std::string& sample) {
             text += sample + text_at(right - 30, y, "end", inks_.text, name);
-            widest = std::max(widest, width_of(name));
             y += 16;
         };
         for (const Curve& curve : plot_.curves) {
             if (curve.in_legend) add(curve.name, sample_of(curve, right, y));
         }
         for (const Band& band : plot_.bands) add(band.name, sample_of(band, right, y));
-        return fmt::format(
-                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
-                   "fill-opacity=\"0.8\"/>\n",
-                   right - 34 - widest, top - 13, widest + 38, y - top + 1, inks_.paper) +
-               text;
+        return text;
     }
 
     std::string names() const {
@@ -114,6 +114,24 @@ public:
     }
 
 private:
+    Box legend_card() const {
+        Box card{.width = 0, .height = 2};
+        const auto add = [&](const std::string& name) {
+            card.width = std::max(card.width, width_of(name) + 38);
+            card.height += 16;
+        };
+        std::vector<std::vector<Point>> lines;
+        for (const Curve& curve : plot_.curves) {
+            if (curve.in_legend) add(curve.name);
+            lines.push_back(decimated(curve.x, curve.y, layout_.axes));
+        }
+        for (const Band& band : plot_.bands) add(band.name);
+        const float above = plot_.moments.empty() ? 2 : 16;  // their texts
+        const Box frame{layout_.frame.x + 3, layout_.frame.y + 2, layout_.frame.width - 6, layout_.frame.height - 3};
+        const Corner corner = free_corner(lines, frame, card, above, Corner::top_right, 0);
+        return card_in(frame, corner, card.width, card.height, above);
+    }
+
     const std::string& ink_of(std::size_t colour) const {
         if (colour == Curve::exact) return inks_.exact;
         if (colour == Curve::quiet) return inks_.quiet;

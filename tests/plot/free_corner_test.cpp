@@ -75,6 +75,17 @@ TEST(FreeCorner, is_where_the_lines_are_not) {
     }
 }
 
+TEST(FreeCorner, does_not_cover_the_highest_peak) {
+    const Box right = card_at(Corner::top_right), left = card_at(Corner::top_left);
+    // one stroke up into the card at the right, three through that at the left
+    std::vector<std::vector<Point>> lines{{{right.x + 20, 240}, {right.x + 30, right.y + 5}, {right.x + 40, 240}}};
+    for (const float x : {20.0F, 40.0F, 60.0F}) lines.push_back({{left.x + x, left.y + 10}, {left.x + x, left.y + 90}});
+    for (const float x : {0.0F, 60.0F}) lines.push_back({{left.x + x, 245}, {right.right() - x, 245}});
+    EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_left);
+    lines[0][1].y = left.y + 60;  // below the card
+    EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_right);
+}
+
 TEST(FreeCorner, stays_unless_another_is_much_better) {
     const std::vector<std::vector<Point>> everywhere{through(Corner::top_right), through(Corner::top_left),
                                                      through(Corner::bottom_right), through(Corner::bottom_left)};

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <regex>
 #include <string>
+#include <utility>
 
 namespace steplab::plot {
 namespace {
@@ -120,6 +123,25 @@ TEST(svg, element_of_a_plot_without_a_point_is_empty) {
     const std::string both = svg_element(logarithmic({falling("rk4", 1, 0), zero}), page);
     EXPECT_THAT(both, HasSubstr("rk4"));
     EXPECT_THAT(both, Not(HasSubstr("zero")));
+}
+
+/// The left upper corner of the card of the legend, which is the only rectangle that is not opaque.
+std::pair<float, float> legend_corner(const std::string& text) {
+    const std::size_t end = text.find("fill-opacity=\"0.8\"");
+    const std::size_t begin = text.rfind("<rect x=\"", end);
+    float x = 0, y = 0;
+    if (end != std::string::npos) std::sscanf(text.c_str() + begin, "<rect x=\"%f\" y=\"%f\"", &x, &y);
+    return {x, y};
+}
+
+TEST(svg, legend_lies_where_the_curves_are_not) {
+    Plot plot;
+    plot.curves = {{.name = "one", .x = {0, 1, 2}, .y = {0, 0.2, 3}},
+                   {.name = "two", .x = {0, 1, 2}, .y = {0, 0.1, 3}}};
+    EXPECT_LT(legend_corner(svg(plot)).first, 360) << "they rise to the right";
+    for (Curve& curve : plot.curves) std::reverse(curve.y.begin(), curve.y.end());
+    EXPECT_GT(legend_corner(svg(plot)).first, 360) << "they fall";
+    EXPECT_LT(legend_corner(svg(plot)).second, 220);
 }
 
 TEST(svg, legend_names_curves_and_bands_but_not_those_that_are_left_out_of_it) {

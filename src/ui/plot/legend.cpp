@@ -14,43 +14,45 @@ namespace {
 using plot::Curve;
 using plot::Plot;
 
-/// Where the name of a curve or band stands on the card: its right end, and the middle of its line, both from the upper
-/// right corner of the names.
+/// Where a curve or band stands on the card: its left end, and the middle of its line, both from the upper left corner
+/// of the names.
 struct LegendPlace {
     const std::string* name;
-    const Curve* curve;                 ///< null: of a band
-    const plot::Band* band;             ///< null: of a curve
-    float right = 0, y = 0, width = 0;  ///< width: with the sample of its line
+    const Curve* curve;                ///< null: of a band
+    const plot::Band* band;            ///< null: of a curve
+    float left = 0, y = 0, width = 0;  ///< width: with the sample of its line
+
+    float right() const { return left + width; }
 };
 
 float line_height(const Context& context) { return ImGui::GetTextLineHeight() + context.px(2); }
 
-/// From right to left and in as many rows as it takes, the last curve first.
+/// In the order of the curves, which is that of the list of runs, from left to right and in as many rows as it takes.
 std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot, float room) {
     std::vector<LegendPlace> places;
     if (plot.curves.size() + plot.bands.size() < 2) return places;
     const float row = line_height(context);
-    float right = 0, y = 0.5f * row;
+    float left = 0, y = 0.5f * row;
     const auto add = [&](const std::string& name, const Curve* curve, const plot::Band* band) {
         const float width = ImGui::CalcTextSize(name.c_str()).x + context.px(27);
-        if (right - width < -room && right < 0) {
-            right = 0;
+        if (left + width > room && left > 0) {
+            left = 0;
             y += row;
         }
-        places.push_back({&name, curve, band, right, y, width});
-        right -= width + context.px(12);
+        places.push_back({&name, curve, band, left, y, width});
+        left += width + context.px(12);
     };
-    for (const plot::Band& band : plot.bands) add(band.name, nullptr, &band);
-    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
-        if (curve->in_legend) add(curve->name, &*curve, nullptr);
+    for (const Curve& curve : plot.curves) {
+        if (curve.in_legend) add(curve.name, &curve, nullptr);
     }
+    for (const plot::Band& band : plot.bands) add(band.name, nullptr, &band);
     return places;
 }
 
-/// What a curve or band looks like; `right`, `y`: where its name ends.
-void draw_sample(const Context& context, const LegendPlace& place, float right, float y) {
+/// What a curve or band looks like.
+void draw_sample(const Context& context, const LegendPlace& place, float from, float y) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float from = right - place.width, to = from + context.px(22);
+    const float to = from + context.px(22);
     if (place.band)
         return list.AddRectFilled({from, y - context.px(4)}, {to, y + context.px(4)}, area_ink(context, *place.band));
     const Curve& curve = *place.curve;
@@ -74,7 +76,7 @@ Card card_of(const Context& context, const Plot& plot, const Area& frame, bool w
     if (with_names) card.places = legend_places(context, plot, frame.width - 2 * edge);
     float width = 0, height = 0;
     for (const LegendPlace& place : card.places) {
-        width = std::max(width, place.width - place.right);
+        width = std::max(width, place.right());
         height = place.y + 0.5f * line_height(context);
     }
     if (with_title && !plot.title.empty()) {
@@ -107,12 +109,12 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
     const plot::Box box = plot::card_in(frame, corner, card.size.width, card.size.height, above);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, colour::card, context.px(4));
-    const float right = box.right() - context.px(5), top = box.y + context.px(1);
-    if (card.title > 0) text_left(box.x + context.px(5), top + 0.5f * card.title, plot.title, colour::text_faint);
+    const float left = box.x + context.px(5), top = box.y + context.px(1);
+    if (card.title > 0) text_left(left, top + 0.5f * card.title, plot.title, colour::text_faint);
     for (const LegendPlace& place : card.places) {
         const float y = top + card.title + place.y;
-        text_right(right + place.right, y, *place.name, colour::text_dim);
-        draw_sample(context, place, right + place.right, y);
+        draw_sample(context, place, left + place.left, y);
+        text_right(left + place.right(), y, *place.name, colour::text_dim);
     }
 }
 
