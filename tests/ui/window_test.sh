@@ -157,6 +157,8 @@ runs_go_beside_each_other() {
     click 'run 1'; expect 'method euler' 'runs euler double 0.025, .*'
     click 'run 0.remove'; expect 'method rk4'
     xdotool key r; expect 'changes 1'
+    choose_beside runs 'turn round' 'changes 2'
+    choose_beside runs twin 'runs rk4 double 0.1'
     close_window
 }
 
