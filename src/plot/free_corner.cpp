@@ -19,13 +19,15 @@ void cut(float start, float way, float low, float high, float& from, float& to) 
     to = std::min(to, std::max(a, b));
 }
 
-/// The highest point that is higher than both of its neighbours: what a plot is looked at for.
+/// The highest point that is higher than its neighbours, or its one neighbour: what a plot is looked at for.
 std::optional<Point> highest_peak(std::span<const std::vector<Point>> lines, const Box& frame) {
     std::optional<Point> best;
     for (const std::vector<Point>& line : lines) {
-        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-            const bool peak = line[i].y < line[i - 1].y && line[i].y < line[i + 1].y;
-            if (peak && frame.contains(line[i].x, line[i].y) && (!best || line[i].y < best->y)) best = line[i];
+        for (std::size_t i = 0; line.size() > 1 && i < line.size(); ++i) {
+            const bool peak =
+                (i == 0 || line[i].y < line[i - 1].y) && (i + 1 == line.size() || line[i].y < line[i + 1].y);
+            const bool seen = line[i].x >= frame.x && line[i].x <= frame.right() && line[i].y >= frame.y;
+            if (peak && seen && (!best || line[i].y < best->y)) best = line[i];
         }
     }
     return best;

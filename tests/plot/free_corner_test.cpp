@@ -82,6 +82,8 @@ TEST(FreeCorner, does_not_cover_the_highest_peak) {
     for (const float x : {20.0F, 40.0F, 60.0F}) lines.push_back({{left.x + x, left.y + 10}, {left.x + x, left.y + 90}});
     for (const float x : {0.0F, 60.0F}) lines.push_back({{left.x + x, 245}, {right.right() - x, 245}});
     EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_left);
+    lines[0].pop_back();  // the end of a line that rises
+    EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_left);
     lines[0][1].y = left.y + 60;  // below the card
     EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_right);
 }
