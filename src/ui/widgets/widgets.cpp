@@ -1,6 +1,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace steplab::ui {
@@ -144,11 +145,26 @@ void changing_explanation(const Context& context, std::string_view text, int lin
     if (!padded.empty()) explanation(context, padded, ink);
 }
 
+namespace {
+
+/// The largest font in which a text has room, or the smallest one.
+ImFont* font_with_room(const Context& context, std::string_view text, float width) {
+    const Fonts& fonts = context.theme.fonts();
+    for (ImFont* const font : {fonts.body, fonts.small}) {
+        if (font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x <= width)
+            return font;
+    }
+    return fonts.tiny;
+}
+
+}  // namespace
+
 void row_label(const Context& context, std::string_view label, std::string_view what, float height) {
     const float width = row_places(context).control - ImGui::GetStyle().WindowPadding.x - context.px(6);
     ImGui::Dummy({width, height > 0 ? height : row_height(context)});
     tooltip(context, what);
     const ImVec2 from = ImGui::GetItemRectMin();
+    const WithFont font(font_with_room(context, label, width));
     text_left(from.x, 0.5f * (from.y + ImGui::GetItemRectMax().y), label, colour::text);
 }
 
