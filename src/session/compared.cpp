@@ -40,15 +40,19 @@ std::uint64_t step_at(double time, double dt) {
     return clamped_floor<std::uint64_t>(time / dt + 1e-6, 0, most);
 }
 
+std::optional<double> energy_error_of(const Simulation& run) {
+    if (has_drag(run.description()) && !run.drag_work()) return std::nullopt;
+    return run.energy_error();
+}
+
 RunMoment moment_of(const Simulation& run, Vec3 start) {
     RunMoment moment{.step = run.step(),
                      .time = run.time(),
                      .displacement = run.state().displacement,
                      .shape = run.shape(),
-                     .energy_error = {},
+                     .energy_error = energy_error_of(run),
                      .momentum_error = {},
                      .evaluations = run.evaluations()};
-    if (!has_drag(run.description()) || run.drag_work()) moment.energy_error = run.energy_error();
     if (run.conservation().momentum && run.baseline_step() == 0) {
         const Vec3 change = run.diagnostics().momentum - start;
         moment.momentum_error = std::sqrt(dot(change, change));

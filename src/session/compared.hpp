@@ -25,6 +25,9 @@ struct RunMoment {
     std::uint64_t evaluations = 0;  ///< since the start
 };
 
+/// As in RunMoment.
+std::optional<double> energy_error_of(const Simulation& run);
+
 /// `start`: the momentum with which the run began.
 RunMoment moment_of(const Simulation& run, Vec3 start);
 

@@ -1,5 +1,6 @@
 #include "session/run_view.hpp"
 
+#include "session/compared.hpp"
 #include "sim/run/notes.hpp"
 #include "sim/run/opening.hpp"
 
@@ -22,6 +23,8 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.divergence = simulation.divergence();
     view.description = simulation.description();
     view.diagnostics = simulation.observe(view.frame);
+    view.energy_error = energy_error_of(simulation);
+    view.evaluations = simulation.evaluations();
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.limit = simulation.limit();

@@ -46,6 +46,9 @@ struct RunView {
     std::optional<Tracked> tracked;
     SampleSeries series;  ///< of the whole way of the run, if samples are wanted
     SpreadSeries spread;  ///< of the ensemble on that way
+    /// E - E0, the work of drag counted in; none where drag takes energy and its work is not counted.
+    std::optional<double> energy_error;
+    std::uint64_t evaluations = 0;  ///< of the force since the start
     std::optional<Divergence> divergence;
     std::optional<StabilityLimit> limit;
     std::optional<Resolution> resolution;  ///< of the fastest oscillation

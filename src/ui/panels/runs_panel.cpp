@@ -33,17 +33,24 @@ const Compared* compared_of(const Context& context, std::size_t run) {
     return errors && run < errors->runs.size() && errors->runs[run] ? &*errors->runs[run] : nullptr;
 }
 
+/// The error, of the time for which the reference is known, or why it is not known.
+std::string position_error_text(const Context& context, std::size_t run) {
+    const auto& errors = context.pictured.errors;
+    if (errors && errors->runs.empty()) return "error unknown: " + errors->how;
+    const Compared* const compared = compared_of(context, run);
+    if (!compared) return "computing the reference";
+    const std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
+    if (errors->time >= context.pictured.leading.frame.time - 1e-9) return text;
+    return text + fmt::format("\u00a0at\u00a0t\u00a0=\u00a0{}\u00a0s", typed(errors->time, 3));
+}
+
 /// "error 1.2e-3 m · energy 4e-6 J · 156 evaluations": what is known of them. Lines break between them only.
 std::string errors_text(const Context& context, std::size_t run) {
     const RunView& view = run_of(context, run);
     if (view.divergence) return fmt::format("diverged at t = {} s", typed(view.divergence->time, 4));
-    const Compared* const compared = compared_of(context, run);
-    const auto& errors = context.pictured.errors;
-    if (!compared && errors && errors->runs.empty()) return "error unknown: " + errors->how;
-    if (!compared) return "computing the reference";
-    std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
-    if (compared->energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", error_text(*compared->energy_error));
-    return text + fmt::format(" · {}\u00a0evaluations", count_text(static_cast<double>(compared->evaluations)));
+    std::string text = position_error_text(context, run);
+    if (view.energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", error_text(*view.energy_error));
+    return text + fmt::format(" · {}\u00a0evaluations", count_text(static_cast<double>(view.evaluations)));
 }
 
 constexpr std::string_view longest_errors_text =
