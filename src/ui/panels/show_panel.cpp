@@ -1,4 +1,5 @@
 #include "core/entry.hpp"
+#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "render/colouring.hpp"
 #include "ui/actions.hpp"
