@@ -25,6 +25,9 @@ struct LegendPlace {
     float right() const { return left + width; }
 };
 
+/// Between the left end of the sample of a line and the name.
+float name_offset(const Context& context) { return context.px(27); }
+
 float line_height(const Context& context) { return ImGui::GetTextLineHeight() + context.px(2); }
 
 /// In the order of the curves, which is that of the list of runs, from left to right and in as many rows as it takes.
@@ -34,7 +37,7 @@ std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot,
     const float row = line_height(context);
     float left = 0, y = 0.5f * row;
     const auto add = [&](const std::string& name, const Curve* curve, const plot::Band* band) {
-        const float width = ImGui::CalcTextSize(name.c_str()).x + context.px(27);
+        const float width = std::min(ImGui::CalcTextSize(name.c_str()).x + name_offset(context), room);
         if (left + width > room && left > 0) {
             left = 0;
             y += row;
@@ -111,10 +114,13 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
     list.AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, colour::card, context.px(4));
     const float left = box.x + context.px(5), top = box.y + context.px(1);
     if (card.title > 0) text_left(left, top + 0.5f * card.title, plot.title, colour::text_faint);
+    const float half = 0.5f * line_height(context), offset = name_offset(context);
     for (const LegendPlace& place : card.places) {
-        const float y = top + card.title + place.y;
-        draw_sample(context, place, left + place.left, y);
-        text_right(left + place.right(), y, *place.name, colour::text_dim);
+        const float x = left + place.left, y = top + card.title + place.y;
+        draw_sample(context, place, x, y);
+        const float room = place.width - offset + 0.5f;  // half a pixel for rounding
+        text_left(x + offset, y, shortened(*place.name, room), colour::text_dim);
+        context.mark(plot.name + ".legend/" + *place.name, {x, y - half, x + place.width, y + half});
     }
 }
 

@@ -74,6 +74,28 @@ TEST(plots, of_a_whole_run_begin_at_its_start) {
         << "what was sampled later begins there";
 }
 
+TEST(plots, name_the_runs_in_their_order_within_the_frame) {
+    Recorded recorded("chain");
+    Desk& desk = recorded.desk;
+    for (const char* const method : {"velocity-verlet", "euler", "midpoint"}) {
+        RunView run = desk.view;
+        run.description = with_method(desk.view.description, method);
+        desk.session.followers.push_back(run);
+    }
+    desk.interface.resize({1600, 1200, 1});
+    desk.frame();
+    desk.frame();
+    const WidgetRect frame = desk.widget("energy error");
+    WidgetRect before{frame.left, frame.top, frame.left, frame.top};
+    for (const char* const method : {"rk4", "velocity-verlet", "euler", "midpoint"}) {
+        const WidgetRect name = desk.widget("energy error.legend/" + std::string(method) + ", dt 0.1 s, double");
+        EXPECT_TRUE(name.top > before.top || name.left >= before.right) << method;
+        EXPECT_GE(name.left, frame.left) << method;
+        EXPECT_LE(name.right, frame.right) << method;
+        before = name;
+    }
+}
+
 TEST(plots, of_energies_add_up) {
     const OwnFolder folder;
     Recorded recorded("chain");
