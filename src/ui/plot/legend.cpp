@@ -107,8 +107,9 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
         card = card_of(context, plot, frame, with_title, false);
     if (card.empty()) return;
     const float above = plot.moments.empty() ? 1 : context.px(16);  // their texts
-    plot::Corner& corner = context.state.plots.legends[plot.name];
-    corner = plot::free_corner(lines, frame, card.size, above, corner, context.px(30));
+    const auto [known, is_first] = context.state.plots.legends.try_emplace(plot.name);
+    plot::Corner& corner = known->second;  // one that stands somewhere moves only where that is much better
+    corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(30));
     const plot::Box box = plot::card_in(frame, corner, card.size.width, card.size.height, above);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, colour::card, context.px(4));
