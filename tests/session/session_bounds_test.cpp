@@ -129,7 +129,8 @@ TEST(Session, goes_back_with_a_run_that_diverged) {
         session.finish();
         Simulation alone(with(chain("rk4"), "dt", 2));
         alone.advance(std::min(step, last));
-        EXPECT_EQ(session.followers()[0].run().divergence().has_value(), step >= last) << step << ": its energy there is impossible";
+        EXPECT_EQ(session.followers()[0].run().divergence().has_value(), step >= last)
+            << step << ": its energy there is impossible";
         EXPECT_EQ(session.followers()[0].run().hash(), alone.hash()) << step;
     }
 }
