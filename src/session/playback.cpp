@@ -17,14 +17,6 @@
 namespace steplab {
 namespace {
 
-[[noreturn]] void refuse(std::string_view why) {
-    throw UsageError(fmt::format("a trajectory is played back: {}; \"continue from here\" begins a run", why));
-}
-
-void refuse(bool wrong, std::string_view why) {
-    if (wrong) refuse(why);
-}
-
 [[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
     throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
 }
@@ -73,6 +65,14 @@ bool Playback::look_on() {
 /// One function for each kind of event.
 struct Playback::Handle {
     Playback& of;
+
+    [[noreturn]] void refuse(std::string_view why) const {
+        throw UsageError(fmt::format("a trajectory is played back: {}{}", why,
+                                     of.is_measured() ? "; \"continue from here\" begins a run" : ""));
+    }
+    void refuse(bool wrong, std::string_view why) const {
+        if (wrong) refuse(why);
+    }
 
     void operator()(const event::Play& play) const { of.play(play); }
     void operator()(const event::Loop& loop) const {

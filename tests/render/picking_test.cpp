@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace steplab::render {
 namespace {
@@ -52,6 +55,28 @@ TEST(Picking, takes_the_one_whose_edge_is_nearest) {
     const Frame frame = test::particles_at({{-0.5, 0, 0}, {0.6, 0, 0}});
     EXPECT_EQ(particle_at(frame, projection, {400, 300}, 100), 0u);
     EXPECT_FALSE(particle_at(frame, projection, {400, 300}, 4));
+}
+
+// Most are ruled out before their discs are computed: none that would be found.
+TEST(Picking, finds_what_lies_within_reach_of_any_pixel_in_a_crowd) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-6, 6), across(-40, 840), down(-40, 640);
+    std::vector<Vec3> places(300);
+    for (Vec3& each : places) each = {place(random), place(random), place(random)};
+    const Frame frame = test::particles_at(places);
+    const DrawnSizes sizes(*frame.shape);
+    const Projection oblique({{1, 0.5, -0.3}, 5, 35, 20}, window_of_picks);  // some are behind the eye
+    for (int i = 0; i < 2000; ++i) {
+        const PixelPoint pixel{across(random), down(random)};
+        bool within = false;
+        for (const Vec3& each : places) {
+            const auto centre = oblique.pixel(each);
+            if (!centre) continue;
+            const double radius = sizes.radius(Role::moving) * oblique.pixels_per_unit(oblique.depth(each));
+            within = within || std::hypot(centre->x - pixel.x, centre->y - pixel.y) <= radius + 6;
+        }
+        EXPECT_EQ(particle_at(frame, oblique, pixel).has_value(), within) << pixel.x << ", " << pixel.y;
+    }
 }
 
 TEST(InView, is_a_particle_or_its_edge_in_front_of_the_camera) {

@@ -55,6 +55,24 @@ TEST(Playback, of_text_shows_the_same_numbers_without_a_scene) {
     }
 }
 
+// Its button is there for whole scenes alone.
+TEST(Playback, recommends_to_continue_only_what_can_be_continued) {
+    const Written from(run_of("chain", "rk4", Precision::double_, 0.1));
+    const TemporaryFolder folder;
+    const auto refusal = [](const std::string& file) -> std::string {
+        Playback playback(file);
+        try {
+            playback.handle(event::Do{TurnRound{}});
+        } catch (const UsageError& refused) {
+            return refused.what();
+        }
+        return "";
+    };
+    const std::string continued = "\"continue from here\" begins a run";
+    EXPECT_THAT(refusal(text_file(folder, from, "a.csv")), testing::Not(HasSubstr(continued)));
+    EXPECT_THAT(refusal(from.path), HasSubstr(continued));
+}
+
 TEST(Playback, of_text_of_another_program_has_a_frame_a_second) {
     const Kept file("1\nfirst\nH 1 2 3\n1\nsecond\nH 2 3 4\n1\nthird\nH 3 4 5\n");
     Playback playback(file.name());
