@@ -106,9 +106,13 @@ private:
     };
     /// A change or act on the time line, which knows it.
     struct Acted {};
+    /// Another way was taken; all changes of the one that was left for it, which is among the branches.
+    struct Way {
+        std::vector<SegmentBegin> changes;
+    };
     /// What can be taken back, by what there was before; and what undoing took back.
-    using Done = std::variant<Acted, Beside, Left>;
-    using Undone = std::variant<TimeLine::Branch, Beside, Left>;
+    using Done = std::variant<Acted, Beside, Left, Way>;
+    using Undone = std::variant<TimeLine::Branch, Beside, Left, Way>;
 
     void handle_and_record(const Event& event);
     std::string event_hash() const;
@@ -141,6 +145,8 @@ private:
     void count_acted(std::size_t changes_before);
     void forget_oldest_left();
     void take_branch(std::size_t number);
+    std::optional<Way> go_over_to(std::size_t branch);
+    std::optional<Way> go_back_to(const Way& way);
     void leave(TimeLine next, Beside beside);
     Left exchange(Left& other);
     Beside exchange(const Beside& wanted);

@@ -148,6 +148,10 @@ void Session::undo() {
     if (auto* const left = std::get_if<Left>(&*last)) {
         undone_.emplace_back(exchange(*left));
         done_.erase(std::prev(last.base()), done_.end());
+    } else if (auto* const way = std::get_if<Way>(&*last)) {
+        const Way back = std::move(*way);
+        done_.erase(std::prev(last.base()));
+        if (auto left_again = go_back_to(back)) undone_.emplace_back(std::move(*left_again));
     } else {
         undone_.emplace_back(exchange(std::get<Beside>(*last)));
         done_.erase(std::prev(last.base()));
@@ -166,6 +170,8 @@ void Session::redo() {
         equalise_cost();
     } else if (auto* const left = std::get_if<Left>(&last)) {
         done_.emplace_back(exchange(*left));
+    } else if (const auto* const way = std::get_if<Way>(&last)) {
+        if (auto left_for_it = go_back_to(*way)) done_.emplace_back(std::move(*left_for_it));
     } else {
         done_.emplace_back(exchange(std::get<Beside>(last)));
     }
@@ -203,14 +209,35 @@ Session::Beside Session::exchange(const Beside& wanted) {
 void Session::take_branch(std::size_t number) {
     if (number >= branches_.size()) throw UsageError(fmt::format("there is no branch {}", number));
     check_followers(branches_[number].changes);
+    if (auto left = go_over_to(number)) {
+        note(std::move(*left));
+    } else {
+        goal_.reset();
+        undone_.clear();
+    }
+}
+
+/// What is left, if there is something of it beyond where the two part.
+std::optional<Session::Way> Session::go_over_to(std::size_t number) {
     TimeLine::Branch branch = std::move(branches_[number]);
     branches_.erase(branches_.begin() + static_cast<std::ptrdiff_t>(number));
-    goal_.reset();
-    undone_.clear();
     const std::size_t before = line_.past().size();
-    keep(line_.take(std::move(branch)));
+    std::optional<TimeLine::Branch> left = line_.take(std::move(branch));
+    std::optional<Way> way;
+    if (left) way = Way{left->changes};
+    keep(std::move(left));
     count_acted(before);
     equalise_cost();
+    return way;
+}
+
+/// None, and nothing happens, if it was forgotten meanwhile.
+std::optional<Session::Way> Session::go_back_to(const Way& way) {
+    const auto found = std::find_if(branches_.rbegin(), branches_.rend(),
+                                    [&](const TimeLine::Branch& branch) { return branch.changes == way.changes; });
+    if (found == branches_.rend()) return std::nullopt;
+    check_followers(way.changes);
+    return go_over_to(static_cast<std::size_t>(std::prev(found.base()) - branches_.begin()));
 }
 
 }  // namespace steplab

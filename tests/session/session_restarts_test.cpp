@@ -94,6 +94,33 @@ TEST(Session, takes_a_held_slider_of_a_run_that_goes_on_back_as_one) {
     EXPECT_EQ(session.run().hash(), there) << "another drag is another thing";
 }
 
+TEST(Session, takes_back_that_it_went_over_to_another_way) {
+    Session session = three_runs();
+    session.handle(event::Step{36});
+    go_to(session, 10);
+    session.handle(event::Do{TurnRound{}});
+    session.handle(event::Step{5});
+    session.finish();
+    const std::string turned = session.run().hash();
+    ASSERT_EQ(line_of(session).branches.size(), 1u);
+    session.handle(event::TakeBranch{0});
+    EXPECT_EQ(line_of(session).changes.size(), 0u);
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.followers().size(), 2u) << "a run that was added is not the last thing done";
+    EXPECT_EQ(line_of(session).changes.size(), 1u);
+    go_to(session, 15);
+    EXPECT_EQ(session.run().hash(), turned);
+    session.handle(event::Redo{});
+    EXPECT_EQ(line_of(session).changes.size(), 0u);
+    EXPECT_EQ(line_of(session).branches.size(), 1u);
+    session.handle(event::Undo{});
+    session.handle(event::Undo{});
+    EXPECT_EQ(line_of(session).changes.size(), 0u) << "and then the turn before it";
+    EXPECT_EQ(session.followers().size(), 2u);
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.followers().size(), 1u);
+}
+
 TEST(Session, refuses_an_alteration_that_a_run_beside_cannot_have) {
     Session session(chain("rk4"));
     session.handle(event::AddRun{chain("verlet-2008")});
