@@ -119,7 +119,7 @@ private:
 
     /// A run that diverged has none but of the samples before, which say little: at the start all errors are 0.
     static std::string largest_error(const Worst& worst, const Simulation& run) {
-        const std::string error = worst.last ? typed(worst.error, 3) : "";
+        std::string error = worst.last ? typed(worst.error, 3) : "";
         const auto& divergence = run.divergence();
         if (!divergence) return error;
         const std::string where = fmt::format("diverged at t = {} s", typed(divergence->time, 4));

@@ -39,7 +39,7 @@ std::string position_error_text(const Context& context, std::size_t run) {
     if (errors && errors->runs.empty()) return "error unknown: " + errors->how;
     const Compared* const compared = compared_of(context, run);
     if (!compared) return "computing the reference";
-    const std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
+    std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
     if (errors->time >= context.pictured.leading.frame.time - 1e-9) return text;
     return text + fmt::format("\u00a0at\u00a0t\u00a0=\u00a0{}\u00a0s", typed(errors->time, 3));
 }
