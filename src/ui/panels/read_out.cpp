@@ -1,5 +1,6 @@
 #include "core/number_text.hpp"
 #include "render/run_labels.hpp"
+#include "ui/panels/late_errors.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -23,7 +24,7 @@ struct Line {
 /// Against a reference run, while that tells it.
 void append_reference_error(std::vector<Line>& lines, const SessionErrors& errors, const RunView& view) {
     const Compared& lead = *errors.runs.front();
-    const bool late = errors.time < view.frame.time - 1e-9;
+    const bool late = are_late(errors, view);
     lines.push_back({fmt::format("position error: {} (against a reference{})", with_unit(error_text(lead.error), "m"),
                                  late ? fmt::format(", at t = {} s", typed(errors.time, 4)) : "")});
     const double rounding = 1e-13 * view.frame.shape->spacing;  // more accurate than that is accurate enough

@@ -3,6 +3,7 @@
 #include "session/session.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/actions.hpp"
+#include "ui/panels/late_errors.hpp"
 #include "ui/panels/method_items.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
@@ -40,7 +41,7 @@ std::string position_error_text(const Context& context, std::size_t run) {
     const Compared* const compared = compared_of(context, run);
     if (!compared) return "computing the reference";
     std::string text = fmt::format("error\u00a0{}\u00a0m", error_text(compared->error));
-    if (errors->time >= context.pictured.leading.frame.time - 1e-9) return text;
+    if (!are_late(*errors, context.pictured.leading)) return text;
     return text + fmt::format("\u00a0at\u00a0t\u00a0=\u00a0{}\u00a0s", typed(errors->time, 3));
 }
 
@@ -59,8 +60,8 @@ constexpr std::string_view longest_errors_text =
 /// The rest of what is known of them.
 std::string more_errors_text(const Compared& compared, const std::optional<double>& cost) {
     std::string text =
-        fmt::format("largest error of a position {}, root mean square {}", with_unit(error_text(compared.error), "m"),
-                    with_unit(error_text(compared.rms_error), "m"));
+        fmt::format("t = {} s: largest error of a position {}, root mean square {}", typed(compared.time, 6),
+                    with_unit(error_text(compared.error), "m"), with_unit(error_text(compared.rms_error), "m"));
     if (compared.energy_error) text += "\nenergy error " + with_unit(error_text(*compared.energy_error), "J");
     if (compared.momentum_error)
         text += "\nmomentum error " + with_unit(error_text(*compared.momentum_error), "kg m/s");
@@ -134,7 +135,7 @@ std::string reference_text(const Context& context) {
     const auto& errors = context.pictured.errors;
     if (!errors || errors->runs.empty()) return {};
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
-    if (errors->time < run_of(context, 0).frame.time - 1e-9)
+    if (are_late(*errors, context.pictured.leading))
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
     if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
         text += fmt::format(", accurate to {}\u00a0m", error_text(lead->reference_error));
