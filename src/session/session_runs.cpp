@@ -71,7 +71,6 @@ void Session::set_equal_cost(bool on) {
     if (on == equal_cost_) return;
     note(beside());
     equal_cost_ = on;
-    not_equal_.clear();
     equalise_cost();
 }
 
@@ -115,6 +114,7 @@ void Session::remove(std::size_t run) {
         const std::size_t place = check_follower(run);
         note(beside());
         followers_.erase(followers_.begin() + static_cast<std::ptrdiff_t>(place));
+        not_equal_.clear();
         return;
     }
     if (followers_.empty()) throw UsageError("the only run cannot be removed");

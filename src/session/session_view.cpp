@@ -46,7 +46,7 @@ void Session::observe(SessionView& view) const {
     }
     view.line = line_view();
     view.equal_cost = equal_cost_;
-    view.not_equal = not_equal_;
+    view.not_equal = equal_cost_ ? not_equal_ : "";
 }
 
 TimeLineView Session::line_view() const {

@@ -52,9 +52,11 @@ TEST(EqualCost, that_a_method_cannot_have_is_refused_with_the_least_that_it_has)
     EXPECT_THAT(view.not_equal, testing::HasSubstr("gauss-16"));
     EXPECT_EQ(session.followers()[0].description().dt, 0.01);
     EXPECT_THROW(session.handle(event::AddRun{run_of("rope", "gauss-16", Precision::double_, 0.02)}), UsageError);
-    session.handle(event::EqualCost{false});
-    session.observe(view);
-    EXPECT_EQ(view.not_equal, "");
+    for (const Event& ends : {Event(event::Undo{}), Event(event::EqualCost{true}), Event(event::RemoveRun{1})}) {
+        session.handle(ends);
+        session.observe(view);
+        EXPECT_EQ(view.not_equal.empty(), !is_any<event::EqualCost>(ends)) << "what is no longer so is not said";
+    }
 }
 
 TEST(EqualCost, of_a_tolerance_that_float_cannot_hold_is_refused) {

@@ -65,6 +65,27 @@ TEST(Recording, is_bounded) {
 }
 
 // They are part of how it was done, and of no hash.
+TEST(SessionFile, holds_that_a_slider_was_held) {
+    Session session(replayed_chain());
+    session.record();
+    const RunDescription start = session.run().description();
+    for (int i = 1; i <= 3; ++i) {
+        RunDescription changed = start;
+        changed.dt = start.dt + 0.01 * i;
+        session.handle(event::Change{changed, i > 1});
+        session.handle(event::Step{2});
+    }
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.run().description(), start);
+    const std::string text = session_text(*session.recorded());
+    EXPECT_THAT(text, HasSubstr("held = true\n"));
+    EXPECT_EQ(session_text(parse_session(text, "a.session")), text);
+    EXPECT_EQ(replayed_from_text(parse_session(text, "a.session")), "the same");
+    std::string single = text;
+    for (std::size_t at = 0; (at = single.find("held = true\n")) != std::string::npos;) single.erase(at, 12);
+    EXPECT_NE(replayed_from_text(parse_session(single, "a.session")), "the same") << "undo takes back one change then";
+}
+
 TEST(SessionFile, holds_speeds_and_pauses) {
     Session session(replayed_chain());
     session.record();
