@@ -15,7 +15,7 @@ namespace steplab::plot {
 /// How a curve is drawn between its points; none: not at all.
 enum class Line { solid, dashed, dotted, dash_dotted, none };
 /// The line of a run of the session, so that runs are told apart without colours too.
-Line line_of_run(std::size_t run);
+Line line_of_run(std::size_t swatch);
 constexpr Line dashed_if(bool dashed) { return dashed ? Line::dashed : Line::solid; }
 /// Lengths of dash and gap in turn, in thicknesses of the line; empty: solid.
 std::span<const float> dashes_of(Line line);

@@ -137,7 +137,9 @@ std::string title(const ColourScale& scale) {
 Rgb role_colour(const Style& style, Role role) {
     const Palette& colours = palette(style.background);
     const bool neutral = style.colouring == Colouring::strain && role == Role::moving;
-    return neutral ? colours.neutral : colours.roles[static_cast<std::size_t>(role)];
+    if (neutral) return colours.neutral;
+    const bool of_run = style.swatch > 0 && role == Role::moving;
+    return of_run ? colours.runs[style.swatch] : colours.roles[static_cast<std::size_t>(role)];
 }
 
 Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {

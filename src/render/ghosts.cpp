@@ -29,7 +29,7 @@ double largest_radius(const KnownShape& known) {
     return largest;
 }
 
-Rgb colour_of(const Shot& shot, std::size_t run) { return palette(shot.style.background).runs[run]; }
+Rgb colour_of(const Shot& shot, std::size_t swatch) { return palette(shot.style.background).runs[swatch]; }
 
 /// Dashes of a line, at even distances in space. Where both ends are seen, they are of about the same length in pixels.
 void add_dashes(std::vector<Rod>& rods, const Shot& shot, Vec3 from, Vec3 to, VertexColour colour) {
@@ -67,11 +67,12 @@ void Ghosts::prepare(const Shot& shot, ShownRuns followers, Occupancy& taken) {
         ghost.frame.shape = shot.frame.shape;
         ghost.frame.magnified = shot.frame.magnified;
         ghost.frame.positions = ghost_places(shot.frame, *followers[i].frame, shot.style.magnify);
-        prepare(shot, i + 1, ghost, taken);
+        ghost.swatch = followers[i].swatch;
+        prepare(shot, ghost, taken);
     }
 }
 
-void Ghosts::prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy& taken) {
+void Ghosts::prepare(const Shot& shot, Ghost& ghost, Occupancy& taken) {
     ghost.blocks.place(ghost.frame, shot.projection);
     find_apart(shot, ghost);
     bounds_ = joined(bounds_.value_or(ghost.blocks.bounds()), ghost.blocks.bounds());
@@ -79,8 +80,8 @@ void Ghosts::prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy&
     if (shot.style.springs)
         ghost.springs.prepare(
             own, ghost.blocks,
-            {spring_thickness, vertex_colour(colour_of(shot, run), spring_alpha), std::span(ghost.bent)});
-    link(shot, run, ghost);
+            {spring_thickness, vertex_colour(colour_of(shot, ghost.swatch), spring_alpha), std::span(ghost.bent)});
+    link(shot, ghost);
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
         if (ghost.apart[i] == 0) ghost.blocks.hide(i);
     }
@@ -88,7 +89,7 @@ void Ghosts::prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy&
     ghost.chosen = ghost.blocks.choose(shot.projection, shot.tile, shot.part, radius);
     for (const auto& ranges : ghost.chosen) ghost.blocks.mark(shot.projection, ranges, radius, taken);
     ghost.particles.upload(ghost.blocks.vertices());
-    colour(shot, run, ghost);
+    colour(shot, ghost);
 }
 
 void Ghosts::find_apart(const Shot& shot, Ghost& ghost) {
@@ -102,9 +103,9 @@ void Ghosts::find_apart(const Shot& shot, Ghost& ghost) {
 }
 
 /// A line that would leave the periodic box is drawn half at each end.
-void Ghosts::link(const Shot& shot, std::size_t run, Ghost& ghost) {
+void Ghosts::link(const Shot& shot, Ghost& ghost) {
     ghost.links.clear();
-    const VertexColour colour = vertex_colour(colour_of(shot, run), link_alpha);
+    const VertexColour colour = vertex_colour(colour_of(shot, ghost.swatch), link_alpha);
     const auto add = [&](Vec3 from, Vec3 to) { add_dashes(ghost.links, shot, from, to, colour); };
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
         const Vec3 way = ghost.frame.drawn(i) - shot.frame.drawn(i);
@@ -120,12 +121,13 @@ void Ghosts::link(const Shot& shot, std::size_t run, Ghost& ghost) {
 }
 
 /// One colour, with the size of each particle as the shader takes it.
-void Ghosts::colour(const Shot& shot, std::size_t run, Ghost& ghost) {
+void Ghosts::colour(const Shot& shot, Ghost& ghost) {
     const double largest = largest_radius(shot.known);
     ghost.colours.resize(ghost.apart.size());
     for (std::size_t i = 0; i < ghost.colours.size(); ++i) {
         const double part = radius_of(shot.known, i) / largest;
-        ghost.colours[i] = vertex_colour(colour_of(shot, run), static_cast<std::uint8_t>(std::lround(255 * part)));
+        ghost.colours[i] =
+            vertex_colour(colour_of(shot, ghost.swatch), static_cast<std::uint8_t>(std::lround(255 * part)));
     }
     ghost.particles.colour(ghost.colours);
 }
@@ -144,7 +146,7 @@ void Ghosts::draw_particles(const ViewUniforms& view, double pixel_scale) const 
         program_.set("u_least_radius", static_cast<float>(least_ghost_radius * pixel_scale));
         program_.set("u_width", static_cast<float>(outline_width * pixel_scale));
         program_.set("u_filled", filled);
-        program_.set("u_outline", static_cast<float>(i));
+        program_.set("u_outline", static_cast<float>(ghosts_[i]->swatch));
         for (const auto& ranges : ghosts_[i]->chosen) ghosts_[i]->particles.draw_quads(ranges);
     }
 }

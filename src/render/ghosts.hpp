@@ -41,6 +41,7 @@ private:
     /// One follower.
     struct Ghost {
         Frame frame;  ///< as drawn
+        std::size_t swatch = 1;
         ParticleBlocks blocks;
         ParticleArrays particles;
         std::array<std::vector<IndexRange>, details> chosen;  ///< by Detail
@@ -51,10 +52,10 @@ private:
         std::vector<VertexColour> colours;  ///< kept to reuse its memory
     };
 
-    void prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy& taken);
+    void prepare(const Shot& shot, Ghost& ghost, Occupancy& taken);
     static void find_apart(const Shot& shot, Ghost& ghost);
-    static void link(const Shot& shot, std::size_t run, Ghost& ghost);
-    static void colour(const Shot& shot, std::size_t run, Ghost& ghost);
+    static void link(const Shot& shot, Ghost& ghost);
+    static void colour(const Shot& shot, Ghost& ghost);
 
     ShaderProgram program_;
     Lines lines_;

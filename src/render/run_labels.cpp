@@ -19,21 +19,24 @@ constexpr double narrowest_with_both = 700;  // a picture with room for read-out
 constexpr double cross_room = 104, narrowest_with_cross = 300;
 
 /// The outline that the particles of a run have (shaders/ghost.frag); a filled disc for the leading run.
-void sketch_mark(Sketch& sketch, PixelPoint centre, std::size_t run, Rgb colour, double pixel_scale) {
+void sketch_mark(Sketch& sketch, PixelPoint centre, const RunLine::Run& run, Rgb colour, double pixel_scale) {
     const double r = mark_radius * pixel_scale, width = 1.6 * pixel_scale;
-    if (run == 0) return sketch.disc(centre, r, colour);
-    constexpr int corners[] = {0, 0, 4, 3};
-    constexpr double reach[] = {1, 1, 1.2, 1.3};
-    sketch.outline(centre, reach[run] * r, corners[run], colour, width);
+    if (run.number == 0) return sketch.disc(centre, r, colour);
+    constexpr struct {
+        int corners;
+        double first, reach;
+    } outlines[] = {{4, 0.25, 1.3}, {0, 0, 1}, {4, 0.375, 1.2}, {3, 0.25, 1.3}};
+    const auto& [corners, first, reach] = outlines[run.swatch];
+    sketch.outline(centre, reach * r, corners, first, colour, width);
 }
 
 /// `middle`: of its left end.
 void sketch_line(Sketch& sketch, const RunLine& line, PixelPoint middle, const Palette& palette, double pixel_scale) {
     const double y = middle.y - sketch.text_size(line.text).y / 2;
     if (!line.run) return sketch.text({middle.x, y}, line.text, palette.text);
-    sketch_mark(sketch, {middle.x + mark_radius * pixel_scale, middle.y}, *line.run, palette.runs[*line.run],
+    sketch_mark(sketch, {middle.x + mark_radius * pixel_scale, middle.y}, *line.run, palette.runs[line.run->swatch],
                 pixel_scale);
-    sketch.text({middle.x + number_place * pixel_scale, y}, std::to_string(*line.run), palette.text);
+    sketch.text({middle.x + number_place * pixel_scale, y}, std::to_string(line.run->number), palette.text);
     sketch.text({middle.x + name_place * pixel_scale, y}, line.text, palette.text);
 }
 
@@ -76,7 +79,7 @@ std::size_t most_run_lines(std::size_t runs, const Style& style) {
     return factor + (style.layout == RunLayout::split ? 1 : runs + (style.magnify == 1 ? 0 : 1));
 }
 
-RunLine line_of_run(const ShownRun& run, std::size_t number) { return {run.name, number}; }
+RunLine line_of_run(const ShownRun& run, std::size_t number) { return {run.name, RunLine::Run{number, run.swatch}}; }
 
 PictureArea run_lines_area(PictureSize picture, RunLayout layout, std::size_t lines, double pixel_scale) {
     const auto pixels = [&](double units) { return static_cast<int>(std::lround(units * pixel_scale)); };

@@ -16,7 +16,12 @@ namespace steplab::render {
 /// A line of text about the runs of a picture.
 struct RunLine {
     std::string text;
-    std::optional<std::size_t> run = {};  ///< whose mark stands before it
+    /// What stands before it.
+    struct Run {
+        std::size_t number = 0;  ///< 0: the leading one, whose mark is filled
+        std::size_t swatch = 0;
+    };
+    std::optional<Run> run = {};
 };
 
 /// Which run has which mark, of several in one picture, and how many times the differences of ghosts and the

@@ -332,7 +332,9 @@ void SceneRenderer::draw(ShownRuns runs, const Style& style, const Camera& camer
     if (split) {
         flats = body_->draw_split(runs, style, camera, tile, target);
     } else {
-        flats.push_back(body_->draw_run(0, *runs[0].frame, runs.subspan(1), style, camera,
+        Style own = style;
+        if (runs.size() > 1) own.swatch = runs[0].swatch;
+        flats.push_back(body_->draw_run(0, *runs[0].frame, runs.subspan(1), own, camera,
                                         {tile, target.size(), {0, 0, target.size()}}, target));
         flats[0].lines = lines_of_runs(runs, style);
         flats[0].tile = tile;

@@ -12,6 +12,7 @@ namespace steplab::render {
 struct ShownRun {
     const Frame* frame = nullptr;  ///< at the same time as those of the others; not null
     std::string name = {};         ///< "rk4, dt 0.1 s, double"
+    std::size_t swatch = 0;        ///< its colour and outline, below most_shown_runs
 };
 
 /// The runs in a picture, one at least, the leading one first. They have the same particles.

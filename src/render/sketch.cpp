@@ -102,14 +102,13 @@ void Sketch::disc(PixelPoint centre, double radius, Rgb colour, double opacity) 
     body_->list.AddCircleFilled(vec(centre), static_cast<float>(radius), packed(colour, opacity));
 }
 
-void Sketch::outline(PixelPoint centre, double radius, int corners, Rgb colour, double width) {
+void Sketch::outline(PixelPoint centre, double radius, int corners, double first, Rgb colour, double width) {
     const ImU32 ink = packed(colour, 1);
     if (corners < 3)
         return body_->list.AddCircle(vec(centre), static_cast<float>(radius), ink, 0, static_cast<float>(width));
     constexpr double turn = 2 * std::numbers::pi;
-    const double first = corners == 4 ? 0.375 * turn : 0.25 * turn;
     for (int i = 0; i < corners; ++i) {
-        const double angle = first + turn * i / corners;
+        const double angle = turn * (first + static_cast<double>(i) / corners);
         body_->list.PathLineTo(vec({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)}));
     }
     body_->list.PathStroke(ink, ImDrawFlags_Closed, static_cast<float>(width));

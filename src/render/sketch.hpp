@@ -29,7 +29,7 @@ public:
     void line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity = 1);
     void disc(PixelPoint centre, double radius, Rgb colour, double opacity = 1);
     /// A circle, or a regular polygon with one corner or, of four, one side at the top.
-    void outline(PixelPoint centre, double radius, int corners, Rgb colour, double width);
+    void outline(PixelPoint centre, double radius, int corners, double first, Rgb colour, double width);
     void box(PixelPoint top_left, PixelPoint bottom_right, Rgb colour, double opacity = 1);
     /// A box with a colour gradient from top to bottom.
     void shaded_box(PixelPoint top_left, PixelPoint bottom_right, Rgb top, Rgb bottom);

@@ -55,6 +55,8 @@ struct Style {
     RunLayout layout = RunLayout::ghosts;  ///< of runs beside the leading one, if there are any
     /// Factor by which ghosts are farther from the particles of the leading run than their runs say.
     double magnify = 1;
+    /// Colour of moving particles that are coloured by role; 0: the usual one. Set where ghosts are beside them.
+    std::size_t swatch = 0;
     double pixel_scale = 1;  ///< pixels per unit of the layout: scales text and lines
     /// Of particles that are but dots, a fair sample of about so many is drawn; 0: all of them.
     std::size_t most_dots = 0;

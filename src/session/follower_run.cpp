@@ -12,8 +12,8 @@ constexpr std::uint64_t piece = 64;
 
 }  // namespace
 
-FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes)
-    : description_(description), bytes_(bytes), line_(description, bytes) {}
+FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes, std::size_t swatch)
+    : description_(description), bytes_(bytes), swatch_(swatch), line_(description, bytes) {}
 
 /// Where the leading run has gone another way than this one, this one goes back to where they part.
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {

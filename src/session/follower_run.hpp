@@ -15,11 +15,12 @@ namespace steplab {
 /// and to the scene there happens to it too, at its last step that does not lie after it.
 class FollowerRun {
 public:
-    /// Throws UsageError.
-    FollowerRun(const RunDescription& description, std::size_t bytes);
+    /// `swatch`: RunView::swatch. Throws UsageError.
+    FollowerRun(const RunDescription& description, std::size_t bytes, std::size_t swatch = 1);
 
     /// As it began; a change of scene since then is in run().description().
     const RunDescription& description() const { return description_; }
+    std::size_t swatch() const { return swatch_; }
     const Simulation& run() const { return line_.run(); }
     /// With all that was changed of the scene until where the leading run stands, whether it is there or not.
     RunDescription description_at(const TimeLine& leading) const;
@@ -57,6 +58,7 @@ private:
 
     RunDescription description_;
     std::size_t bytes_;
+    std::size_t swatch_;
     TimeLine line_;
     std::vector<Followed> followed_;
     std::optional<std::uint64_t> judged_;  ///< a step at which its energy is impossible: it has ended before

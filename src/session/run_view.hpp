@@ -41,6 +41,8 @@ struct Doubt {
 /// or, for a still picture, by view_of().
 struct RunView {
     RunDescription description;  ///< as it is being computed
+    /// Which colour, line and outline are its: of no other run of its session, and as long as it is one of them.
+    std::size_t swatch = 0;
     Frame frame;
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;

@@ -93,7 +93,13 @@ private:
     struct Handle;
     /// What goes beside the leading run.
     struct Beside {
-        std::vector<RunDescription> runs;
+        struct Run {
+            RunDescription description;
+            std::size_t swatch = 0;
+            friend bool operator==(const Run&, const Run&) = default;
+        };
+        std::vector<Run> runs;
+        std::size_t swatch = 0;  ///< of the leading run
         bool equal_cost = false;
         friend bool operator==(const Beside&, const Beside&) = default;
     };
@@ -161,12 +167,14 @@ private:
     void check_followers(std::span<const SegmentBegin> way) const;
     Beside beside() const;
     std::vector<FollowerRun> made(const Beside& wanted) const;
-    FollowerRun follower(const RunDescription& description) const;
+    FollowerRun follower(const RunDescription& description, std::size_t swatch) const;
+    std::size_t free_swatch() const;
     RunDescription at_cost(const RunDescription& description) const;
     void equalise_cost();
 
     std::size_t bytes_;
-    TimeLine line_;  ///< of the leading run
+    TimeLine line_;           ///< of the leading run
+    std::size_t swatch_ = 0;  ///< the same
     std::vector<FollowerRun> followers_;
     std::vector<TimeLine::Branch> branches_;
     std::vector<Done> done_;  ///< the last one can be taken back first

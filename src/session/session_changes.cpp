@@ -72,7 +72,7 @@ void Session::begin(const RunDescription& description, bool held) {
     std::vector<FollowerRun> followers;
     for (const FollowerRun& each : followers_) {
         if (auto beside_it = each.description_in(description, line_))
-            followers.emplace_back(std::move(*beside_it), bytes_ / most_runs);
+            followers.emplace_back(std::move(*beside_it), bytes_ / most_runs, each.swatch());
     }
     const bool goes_on =
         held && line_.changes().size() == 1 && !done_.empty() && std::holds_alternative<Left>(done_.back());
@@ -90,6 +90,7 @@ void Session::begin(const RunDescription& description, bool held) {
 void Session::begin_alone(const RunDescription& description) {
     leave(TimeLine(description, bytes_), beside());
     followers_.clear();
+    swatch_ = 0;
     equal_cost_ = false;
     ensemble_ = {};
     begun();
@@ -184,6 +185,7 @@ Session::Left Session::exchange(Left& other) {
     Left now{std::exchange(line_, std::move(other.line)), std::exchange(branches_, std::move(other.branches)),
              std::exchange(bookmarks_, std::move(other.bookmarks)), beside()};
     followers_ = std::move(followers);
+    swatch_ = other.beside.swatch;
     equal_cost_ = other.beside.equal_cost;
     begun();
     return now;
@@ -195,13 +197,14 @@ Session::Beside Session::exchange(const Beside& wanted) {
     Beside now = beside();
     for (FollowerRun& next : followers) {
         const auto same = std::find_if(followers_.begin(), followers_.end(), [&](const FollowerRun& each) {
-            return each.description() == next.description();
+            return each.description() == next.description() && each.swatch() == next.swatch();
         });
         if (same == followers_.end()) continue;
         next = std::move(*same);
         followers_.erase(same);
     }
     followers_ = std::move(followers);
+    swatch_ = wanted.swatch;
     equal_cost_ = wanted.equal_cost;
     return now;
 }

@@ -18,10 +18,10 @@ std::size_t Session::check_follower(std::size_t run) const {
     return run - 1;
 }
 
-FollowerRun Session::follower(const RunDescription& description) const {
+FollowerRun Session::follower(const RunDescription& description, std::size_t swatch) const {
     if (description.model != run().description().model || description.origin != run().description().origin)
         throw UsageError("runs beside each other are of one scene");
-    FollowerRun added(description, bytes_ / most_runs);
+    FollowerRun added(description, bytes_ / most_runs, swatch);
     if (added.run().particles() != run().particles())
         throw UsageError("runs beside each other have the same particles");
     added.check_way(line_.changes());
@@ -40,29 +40,37 @@ void Session::check_followers(std::span<const SegmentBegin> way) const {
 }
 
 Session::Beside Session::beside() const {
-    Beside now{{}, equal_cost_};
-    for (const FollowerRun& each : followers_) now.runs.push_back(each.description());
+    Beside now{{}, swatch_, equal_cost_};
+    for (const FollowerRun& each : followers_) now.runs.push_back({each.description(), each.swatch()});
     return now;
 }
 
 /// Such runs at their start.
 std::vector<FollowerRun> Session::made(const Beside& wanted) const {
     std::vector<FollowerRun> runs;
-    for (const RunDescription& description : wanted.runs) runs.emplace_back(description, bytes_ / most_runs);
+    for (const auto& [description, swatch] : wanted.runs) runs.emplace_back(description, bytes_ / most_runs, swatch);
     return runs;
+}
+
+/// The first that no run has.
+std::size_t Session::free_swatch() const {
+    std::size_t swatch = 0;
+    const auto has_it = [&](const FollowerRun& each) { return each.swatch() == swatch; };
+    while (swatch == swatch_ || std::any_of(followers_.begin(), followers_.end(), has_it)) ++swatch;
+    return swatch;
 }
 
 void Session::add(const RunDescription& description) {
     if (followers_.size() + 1 == most_runs)
         throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
-    FollowerRun added = follower(at_cost(FollowerRun::at_start(description, line_)));
+    FollowerRun added = follower(at_cost(FollowerRun::at_start(description, line_)), free_swatch());
     note(beside());
     followers_.push_back(std::move(added));
 }
 
 void Session::change_run(std::size_t run, const RunDescription& description) {
     FollowerRun& changed = followers_[check_follower(run)];
-    FollowerRun next = follower(at_cost(FollowerRun::at_start(description, line_)));
+    FollowerRun next = follower(at_cost(FollowerRun::at_start(description, line_)), changed.swatch());
     note(beside());
     changed = std::move(next);
 }
@@ -86,7 +94,7 @@ void Session::equalise_cost() {
     for (FollowerRun& each : followers_) {
         try {
             const RunDescription wanted = at_cost(each.description());
-            if (!(wanted == each.description())) each = follower(wanted);
+            if (!(wanted == each.description())) each = follower(wanted, each.swatch());
         } catch (const UsageError& error) {
             not_equal_ = error.what();
         }
@@ -100,12 +108,14 @@ void Session::lead(std::size_t number) {
     RunDescription led = run().description();
     led.scene = line_.changes().front().description.scene;
     led.alterations = line_.changes().front().description.alterations;
-    FollowerRun beside_it = follower(led);
+    FollowerRun beside_it = follower(led, swatch_);
+    const std::size_t swatch = followers_[number].swatch();
     TimeLine next = std::move(followers_[number].line());
     next.forget_ahead();  // how far it had gone there depends on when it was made to follow
     next.allow(bytes_);
     leave(std::move(next), std::move(before));
     followers_[number] = std::move(beside_it);
+    swatch_ = swatch;
     begun();
 }
 
@@ -114,12 +124,13 @@ void Session::remove(std::size_t run) {
         const std::size_t place = check_follower(run);
         note(beside());
         followers_.erase(followers_.begin() + static_cast<std::ptrdiff_t>(place));
-        not_equal_.clear();
-        return;
+    } else {
+        if (followers_.empty()) throw UsageError("the only run cannot be removed");
+        lead(0);
+        followers_.erase(followers_.begin());
     }
-    if (followers_.empty()) throw UsageError("the only run cannot be removed");
-    lead(0);
-    followers_.erase(followers_.begin());
+    not_equal_.clear();
+    if (followers_.empty()) swatch_ = 0;  // there is nothing to tell it from
 }
 
 }  // namespace steplab

@@ -28,6 +28,7 @@ void Session::observe(SessionView& view) const {
     if (with_forces_) run().forces(leading.frame.forces);
     leading.frame.magnified = magnified_;
     line_.put_samples_into(leading.series);
+    leading.swatch = swatch_;
     leading.playing = playing_ && (backwards_ || !leading.divergence);
     leading.goal = goal_;
     leading.ensemble = ensemble_;
@@ -42,6 +43,7 @@ void Session::observe(SessionView& view) const {
     for (std::size_t i = 0; i < followers_.size(); ++i) {
         steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
         view.followers[i].frame.magnified = magnified_;
+        view.followers[i].swatch = followers_[i].swatch();
         followers_[i].line().put_samples_into(view.followers[i].series);
     }
     view.line = line_view();

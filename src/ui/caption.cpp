@@ -34,9 +34,9 @@ std::string run_text(const RunView& run, const RunView& leading) {
 
 void draw_line(const Context& context, const CaptionLine& line, ImVec2 middle, float room) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (line.run) {
+    if (line.swatch) {
         const float width = context.px(mark_width);
-        draw_run_line(list, middle, width, *line.run, run_ink(context.stage.style.background, *line.run),
+        draw_run_line(list, middle, width, *line.swatch, run_ink(context.stage.style.background, *line.swatch),
                       context.px(2));
         middle.x += width + context.px(8);
         room -= width + context.px(8);
@@ -64,9 +64,8 @@ std::vector<CaptionLine> caption_lines(const Caption& caption, const SessionView
         return lines;
     }
     lines.push_back({fmt::format("{}, {}", scene, time)});
-    lines.push_back({run_text(leading, leading), 0});
-    for (std::size_t i = 0; i < session.followers.size(); ++i)
-        lines.push_back({run_text(session.followers[i], leading), i + 1});
+    lines.push_back({run_text(leading, leading), leading.swatch});
+    for (const RunView& run : session.followers) lines.push_back({run_text(run, leading), run.swatch});
     return lines;
 }
 

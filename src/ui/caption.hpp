@@ -12,7 +12,7 @@ namespace steplab::ui {
 /// A line of a caption.
 struct CaptionLine {
     std::string text;
-    std::optional<std::size_t> run = {};  ///< whose line is drawn before it
+    std::optional<std::size_t> swatch = {};  ///< of the run whose line is drawn before it
 };
 std::vector<CaptionLine> caption_lines(const Caption& caption, const SessionView& session);
 

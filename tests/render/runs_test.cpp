@@ -28,8 +28,14 @@ class Runs : public test::Studio {
 protected:
     static Image picture(const std::vector<Frame>& frames, const Style& style = bare(), PictureSize of = small_size,
                          const std::optional<Tile>& tile = std::nullopt) {
+        const std::vector<std::size_t> usual{0, 1, 2, 3};
+        return picture(frames, usual, style, of, tile);
+    }
+    static Image picture(const std::vector<Frame>& frames, const std::vector<std::size_t>& swatches,
+                         const Style& style = bare(), PictureSize of = small_size,
+                         const std::optional<Tile>& tile = std::nullopt) {
         std::vector<ShownRun> runs;
-        for (const Frame& frame : frames) runs.push_back({&frame, "rk4, dt 0.1 s, double"});
+        for (const Frame& frame : frames) runs.push_back({&frame, "rk4, dt 0.1 s, double", swatches[runs.size()]});
         const RenderTarget target(of);
         renderer().draw(runs, style, straight, target, tile);
         return {of, target.read()};
@@ -115,6 +121,23 @@ TEST_F(Runs, ghosts_are_told_apart_by_their_outlines) {
     EXPECT_TRUE(changed(square, 0.6, -0.6));
     EXPECT_FALSE(changed(triangle, 0.55, 0.3));
     EXPECT_TRUE(changed(triangle, 0.6, -0.38));
+}
+
+// The leading run, too, has the colour of its line in plots, and the first run beside another an outline of its own.
+TEST_F(Runs, have_their_own_colours_and_outlines_whichever_leads) {
+    const Frame leading = particles_at({{0, 0, 0}});
+    Frame other = leading;
+    other.positions = {{0.7, 0.4, 0}};
+    const Image usual = picture({leading, other}, {0, 1}), exchanged = picture({leading, other}, {1, 0});
+    const PixelPoint ball_middle = place_of({0, 0, 0}), edge = place_of({0.7 + 0.9 * ball(), 0.4, 0}),
+                     between_corners = place_of({0.7 + 0.64 * ball(), 0.4 + 0.64 * ball(), 0});
+    EXPECT_GT(exchanged.at(ball_middle).red, exchanged.at(ball_middle).blue + something) << "orange";
+    EXPECT_GT(usual.at(ball_middle).blue, usual.at(ball_middle).red + something) << "blue";
+    EXPECT_GT(exchanged.at(edge).blue, exchanged.at(edge).red + something) << "blue";
+    const Image without = ghosts({});
+    EXPECT_GT(difference(usual.at(between_corners), without.at(between_corners)), something) << "a circle";
+    EXPECT_EQ(exchanged.at(between_corners), without.at(between_corners)) << "a diamond";
+    EXPECT_EQ(picture({leading}, {1}).rgba, picture({leading}, {0}).rgba) << "alone";
 }
 
 TEST_F(Runs, a_line_joins_a_particle_with_its_ghost) {

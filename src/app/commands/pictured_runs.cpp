@@ -129,6 +129,7 @@ void PicturedRuns::look() {
     for (std::size_t i = 1; i < runs_.size(); ++i) {
         observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
         request_.followers[i - 1].frame.magnified = request_.style.displacements;
+        request_.followers[i - 1].swatch = i;
     }
     std::erase_if(request_.past, [&](const PastMoment& moment) { return moment.leading.frame.step >= leading.step(); });
     if (request_.panel && runs_.size() > 1) request_.errors = errors_.of(simulations());

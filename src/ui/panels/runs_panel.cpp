@@ -88,8 +88,9 @@ std::string offset_text(const Context& context, std::size_t run) {
 void draw_swatch(const Context& context, std::size_t run) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = context.px(22), y = corner.y + 0.5f * ImGui::GetTextLineHeight();
-    draw_run_line(*ImGui::GetWindowDrawList(), {corner.x, y}, width, run, run_ink(context.stage.style.background, run),
-                  context.px(2.5f));
+    const std::size_t swatch = context.run(run).swatch;
+    draw_run_line(*ImGui::GetWindowDrawList(), {corner.x, y}, width, swatch,
+                  run_ink(context.stage.style.background, swatch), context.px(2.5f));
     ImGui::Dummy({width, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0, context.px(8));
 }

@@ -26,7 +26,7 @@ SeriesKey key_of(const RunDescription& run) { return {run.method, run.precision,
 /// The colour of a series: that of the run of the session that it is of, if there is one.
 std::size_t colour_of(const Context& context, const SeriesKey& key) {
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        if (key_of(context.run(run).description) == key) return run;
+        if (key_of(context.run(run).description) == key) return context.run(run).swatch;
     }
     return Curve::quiet;
 }
@@ -73,7 +73,7 @@ void add_runs(Plot& plot, const Context& context, const CostsView& costs) {
     for (std::size_t run = 0; run < costs.runs.size() && run <= context.session.followers.size(); ++run) {
         if (!costs.runs[run]) continue;
         plot.curves.push_back({.name = run_name(context.run(run).description, context.view.description),
-                               .colour = run,
+                               .colour = context.run(run).swatch,
                                .large = true,
                                .ascending = false,
                                .x = {costs.runs[run]->evaluations},

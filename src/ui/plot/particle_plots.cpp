@@ -129,8 +129,10 @@ void phase_plot(Plot& plot, const Context& context) {
     const int axis = context.state.history.direction();
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
         const RunView& view = context.run(run);
-        Curve curve{
-            .name = name_of_run(context, run), .colour = run, .line = plot::line_of_run(run), .ascending = false};
+        Curve curve{.name = name_of_run(context, run),
+                    .colour = view.swatch,
+                    .line = plot::line_of_run(view.swatch),
+                    .ascending = false};
         for (const Sample& sample : view.series.samples) {
             if (!sample.particle) continue;
             curve.x.push_back(component(sample.particle->displacement, axis));
@@ -147,12 +149,13 @@ void spectrum_plot(Plot& plot, const Context& context) {
     plot.x = {.name = "angular frequency", .unit = "rad/s"};
     plot.empty = "needs 64 samples at equal distances in time";
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const Signal signal = signal_of(context.run(run).series, context.state.history.direction());
+        const RunView& view = context.run(run);
+        const Signal signal = signal_of(view.series, context.state.history.direction());
         if (signal.values.size() < fewest) continue;
         plot::Spectrum found = plot::spectrum(signal.values, signal.interval);
         plot.curves.push_back({.name = name_of_run(context, run),
-                               .colour = run,
-                               .line = plot::line_of_run(run),
+                               .colour = view.swatch,
+                               .line = plot::line_of_run(view.swatch),
                                .marks = plot::Marks::never,
                                .x = std::move(found.frequencies),
                                .y = std::move(found.amplitudes)});

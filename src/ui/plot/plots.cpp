@@ -79,7 +79,8 @@ void error_plot(Plot& plot, const Context& context) {
         return add_runs(plot, context, [](const Sample& sample) { return sample.error.value_or(unknown); });
     const auto& errors = context.session.error_series;
     for (std::size_t run = 0; run < std::min(errors.size(), context.session.followers.size() + 1); ++run) {
-        Curve curve{.name = name_of_run(context, run), .colour = run, .line = plot::line_of_run(run)};
+        const std::size_t swatch = context.run(run).swatch;
+        Curve curve{.name = name_of_run(context, run), .colour = swatch, .line = plot::line_of_run(swatch)};
         for (const ErrorSample& sample : errors[run].samples) {
             curve.x.push_back(sample.time);
             curve.y.push_back(sample.error);
@@ -100,7 +101,7 @@ void spread_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "spread", .unit = "m"};
     plot.empty = "no ensemble beside the run";
     if (context.view.spread.samples.empty()) return;
-    Curve curve{.name = "largest", .line = plot::line_of_run(0)};
+    Curve curve{.name = "largest"};
     for (const SpreadSample& sample : context.view.spread.samples) {
         curve.x.push_back(sample.time);
         curve.y.push_back(sample.largest);

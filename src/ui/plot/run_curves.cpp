@@ -29,8 +29,8 @@ void add_runs(plot::Plot& plot, const Context& context, const SampleValue& value
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
         const RunView& view = context.run(run);
         if (view.series.samples.empty()) continue;  // until it has taken the first one
-        plot.curves.push_back(over_time(name_of_run(context, run), run, view.series, value));
-        plot.curves.back().line = plot::line_of_run(run);
+        plot.curves.push_back(over_time(name_of_run(context, run), view.swatch, view.series, value));
+        plot.curves.back().line = plot::line_of_run(view.swatch);
     }
 }
 

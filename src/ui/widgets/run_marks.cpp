@@ -11,15 +11,15 @@
 
 namespace steplab::ui {
 
-ImU32 run_ink(render::Background theme, std::size_t run) {
+ImU32 run_ink(render::Background theme, std::size_t swatch) {
     const auto& colours = render::palette(theme).runs;
-    const render::Rgb colour = colours[std::min(run, colours.size() - 1)];
+    const render::Rgb colour = colours[std::min(swatch, colours.size() - 1)];
     return IM_COL32(colour.red, colour.green, colour.blue, 255);
 }
 
-void draw_run_line(ImDrawList& list, ImVec2 from, float width, std::size_t run, ImU32 ink, float thickness) {
+void draw_run_line(ImDrawList& list, ImVec2 from, float width, std::size_t swatch, ImU32 ink, float thickness) {
     const ImVec2 to{from.x + width, from.y};
-    const std::span<const float> dashes = plot::dashes_of(plot::line_of_run(run));
+    const std::span<const float> dashes = plot::dashes_of(plot::line_of_run(swatch));
     if (dashes.empty()) return list.AddLine(from, to, ink, thickness);
     draw_dashes(list, std::array{from, to}, dashes, ink, thickness);
 }
