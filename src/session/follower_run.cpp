@@ -1,6 +1,7 @@
 #include "session/follower_run.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace steplab {
@@ -10,55 +11,73 @@ namespace {
 /// Steps between two questions whether to stop.
 constexpr std::uint64_t piece = 64;
 
+FollowerRun::Course course_of(const TimeLine& leading) {
+    return {leading.changes(), leading.past().size(), leading.time()};
+}
+
 }  // namespace
 
 FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes, std::size_t swatch)
     : description_(description), bytes_(bytes), swatch_(swatch), line_(description, bytes) {}
 
-/// Where the leading run has gone another way than this one, this one goes back to where they part.
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
-    go_back(shared(leading));
+    const Course course = course_of(leading);
+    go_back(course);
     line_.sample_as(leading);
-    if (followed_.empty()) followed_.push_back({leading.changes().front()});
-    while (followed_.size() < leading.past().size()) {
-        const SegmentBegin& next = leading.changes()[followed_.size()];
+    return follow(course, enough);
+}
+
+/// Where the leading run has gone another way than this one, this one goes back to where they part.
+bool FollowerRun::follow(const Course& leading, const std::function<bool()>& enough) {
+    go_back(leading);
+    if (followed_.empty()) followed_.push_back({leading.changes.front()});
+    while (followed_.size() < leading.taken) {
+        const SegmentBegin& next = leading.changes[followed_.size()];
         if (!go_to(next.time, enough)) return false;
         take(followed_.back().change, next);
         followed_.push_back({next, line_.step(), line_.changes().size()});
     }
-    return go_to(leading.time(), enough);
+    return go_to(leading.time, enough);
 }
 
 bool FollowerRun::is_beside(const TimeLine& leading) const {
     const auto [step, evaluations, over] = line_.run().advanced();
     const std::uint64_t wanted = line_.step_at(leading.time());
-    return followed_.size() >= leading.past().size() && shared(leading) == followed_.size() &&
+    return followed_.size() >= leading.past().size() && shared(course_of(leading)) == followed_.size() &&
            (step == wanted || judged_ == wanted || (over && !line_.ended_beyond(wanted)));
 }
 
 /// How much of what happened to it belongs to where the leading run stands: its changes up to there, and later ones of
 /// the same way unless they were done at the step at which this run is to be shown now, as its steps are longer.
-std::size_t FollowerRun::shared(const TimeLine& leading) const {
-    const auto changes = leading.changes();
-    const std::size_t due = leading.past().size();
-    const std::uint64_t wanted = line_.step_at(leading.time());
+std::size_t FollowerRun::shared(const Course& leading) const {
+    const std::uint64_t wanted = line_.step_at(leading.time);
     std::size_t same = 0;
-    while (same < std::min(followed_.size(), changes.size()) && followed_[same].change == changes[same] &&
-           (same < due || followed_[same].at > wanted))
-        ++same;
+    while (same < same_changes(leading) && (same < leading.taken || followed_[same].at > wanted)) ++same;
     return same;
 }
 
-/// To before the first of these that is not kept.
-void FollowerRun::go_back(std::size_t kept) {
+/// How many of its changes are those of that way, whether they are due or not.
+std::size_t FollowerRun::same_changes(const Course& leading) const {
+    const auto differ =
+        std::mismatch(followed_.begin(), followed_.end(), leading.changes.begin(), leading.changes.end(),
+                      [](const Followed& mine, const SegmentBegin& its) { return mine.change == its; });
+    return static_cast<std::size_t>(differ.first - followed_.begin());
+}
+
+/// To before the first change that the leading run has not made where it stands. What samples tell of the way ahead
+/// stays known as far as it will be the same again.
+void FollowerRun::go_back(const Course& leading) {
+    const std::size_t kept = shared(leading), same = same_changes(leading);
     if (kept == followed_.size()) return;
+    const std::uint64_t parts =
+        same < followed_.size() ? followed_[same].at : std::numeric_limits<std::uint64_t>::max();
+    judged_.reset();
     if (kept == 0) {
         line_ = TimeLine(description_, bytes_);
-    } else {
-        line_.keep_changes(followed_[kept - 1].changes);
+    } else if (const auto left = line_.keep_changes(followed_[kept - 1].changes)) {
+        line_.append_samples(left->samples, parts);
     }
     followed_.resize(kept);
-    judged_.reset();
 }
 
 bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {

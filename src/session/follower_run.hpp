@@ -31,9 +31,17 @@ public:
     TimeLine& line() { return line_; }
     const TimeLine& line() const { return line_; }
 
+    /// A way of the leading run: all its changes from its start on, how many of them have taken effect, and its time
+    /// there [s].
+    struct Course {
+        std::span<const SegmentBegin> changes;
+        std::size_t taken = 1;
+        double time = 0;
+    };
     /// Goes to where the leading run stands. Stops on the way if `enough` says so; false if it is not there yet. Throws
     /// UsageError if a change cannot be made to it, Interrupted.
     bool follow(const TimeLine& leading, const std::function<bool()>& enough);
+    bool follow(const Course& leading, const std::function<bool()>& enough);
     /// True if it is there.
     bool is_beside(const TimeLine& leading) const;
 
@@ -49,8 +57,9 @@ private:
         std::size_t changes = 1;  ///< of its line, with it
     };
 
-    std::size_t shared(const TimeLine& leading) const;
-    void go_back(std::size_t kept);
+    std::size_t shared(const Course& leading) const;
+    std::size_t same_changes(const Course& leading) const;
+    void go_back(const Course& leading);
     bool go_to(double time, const std::function<bool()>& enough);
     void judge(std::uint64_t step);
     void take(const SegmentBegin& before, const SegmentBegin& change);

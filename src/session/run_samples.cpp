@@ -53,6 +53,22 @@ void RunSamples::put(const Sample& sample) {
     if (wants(sample.step)) rows_.put(sample);
 }
 
+void RunSamples::take(const RunSamples& same, std::uint64_t from) {
+    rows_.thin_to(same.spacing());
+    for (const Sample& sample : same.all()) {
+        if (sample.step >= from) put(sample);
+    }
+}
+
+bool RunSamples::lack(std::uint64_t until) const {
+    const auto all = rows_.all();
+    const auto end = std::upper_bound(all.begin(), all.end(), until,
+                                      [](std::uint64_t step, const Sample& sample) { return step < sample.step; });
+    const auto known = static_cast<std::uint64_t>(end - all.begin());
+    return known < until / spacing() + 1 ||
+           (particle_ && std::any_of(all.begin(), end, [](const Sample& sample) { return !sample.particle; }));
+}
+
 void RunSamples::follow(std::optional<std::size_t> particle) {
     if (particle == particle_) return;
     particle_ = particle;

@@ -53,7 +53,32 @@ struct Session::Handle {
 void Session::handle(const Event& event) {
     recording_&& is_recorded(event) ? handle_and_record(event) : std::visit(Handle{*this}, event);
     line_.sample(with_samples_, tracked_);  // also of a run that began
+    for (FollowerRun& each : followers_) each.line().sample_as(line_);
     sample_spread();
+    look_for_lacking(event);
+}
+
+/// After what can have changed which samples are lacking. What is known of the way ahead of runs beside the leading one
+/// was of that which it is no longer known to go.
+void Session::look_for_lacking(const Event& event) {
+    if (!with_samples_) return late_.reset();
+    if (is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::SetRate, event::Bookmark,
+               event::ShowForces, event::Magnify, event::ShowErrors, event::ShowCosts>(event))
+        return;
+    for (FollowerRun& each : followers_) each.line().forget_samples_ahead(each.line().step_at(line_.reached_time()));
+    late_.emplace();
+}
+
+bool Session::complete_samples(const std::function<bool()>& enough) {
+    if (!late_) return false;
+    try {
+        const bool all = late_->take(line_, followers_, enough), found = late_->found();
+        if (all) late_.reset();
+        return found;
+    } catch (const UsageError&) {  // it is told when the run itself comes there
+        late_.reset();
+        return false;
+    }
 }
 
 /// What is refused changes nothing and is not recorded.

@@ -2,6 +2,7 @@
 
 #include "session/event.hpp"
 #include "session/follower_run.hpp"
+#include "session/late_samples.hpp"
 #include "session/recording.hpp"
 #include "session/session_view.hpp"
 #include "session/spread_samples.hpp"
@@ -86,6 +87,12 @@ public:
     bool wants_costs() const { return with_costs_; }
     /// True if samples are taken on the way.
     bool takes_samples() const { return with_samples_; }
+    /// True if some may be lacking of where the runs were: of another particle, of before samples were taken, of a way
+    /// that was taken again.
+    bool lacks_samples() const { return late_.has_value(); }
+    /// Takes those, until they are there or `enough` says so, by going the same way once more; true if there were some.
+    /// Throws Interrupted.
+    bool complete_samples(const std::function<bool()>& enough);
     /// The present moment of all runs, reusing the memory of `view`.
     void observe(SessionView& view) const;
 
@@ -132,6 +139,7 @@ private:
     TimeLineView line_view() const;
     void show_ensemble(const LiveEnsembleOptions& asked);
     void sample_spread();
+    void look_for_lacking(const Event& event);
     bool ensemble_is_beside() const;
     void take_forward(std::uint64_t steps);
 
@@ -187,6 +195,7 @@ private:
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
     bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
+    std::optional<LateSamples> late_;  ///< while some may be lacking
     double magnified_ = 1;
     bool equal_cost_ = false;
     std::string not_equal_;            ///< why a run does not have the cost of the leading one; empty: all have

@@ -67,6 +67,10 @@ public:
         }
         thin_out();
     }
+    /// As many as where so many steps lie between two.
+    void thin_to(std::uint64_t spacing) {
+        while (spacing_ < spacing) halve();
+    }
     /// Calls edit(row) for each.
     template <class Edit>
     void edit(const Edit& edit) {
@@ -90,11 +94,12 @@ private:
                                 [](const Row& row, std::uint64_t wanted) { return row.step < wanted; });
     }
     void thin_out() {
-        while (rows_.size() >= most) {
-            spacing_ *= 2;
-            std::erase_if(rows_, [this](const Row& row) { return !belongs(row.step); });
-            changed();
-        }
+        while (rows_.size() >= most) halve();
+    }
+    void halve() {
+        spacing_ *= 2;
+        std::erase_if(rows_, [this](const Row& row) { return !belongs(row.step); });
+        changed();
     }
     void changed() { stretch_ = std::make_shared<const int>(); }
 

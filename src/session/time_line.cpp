@@ -71,11 +71,33 @@ void TimeLine::sample(bool on, std::optional<std::size_t> particle) {
     if (!on) return samples_.reset();
     if (!samples_) samples_.emplace(run_.particles());
     samples_->follow(particle);
-    samples_->offer(run_);
+    const bool changed_here = taken_ > 1 && changes_[taken_ - 1].step == run_.step();
+    if (!changed_here || run_.step() == 0) samples_->offer(run_);  // samples are of before a change
 }
 
 void TimeLine::sample_as(const TimeLine& other) {
     sample(other.samples_.has_value(), other.samples_ ? other.samples_->followed() : std::nullopt);
+}
+
+void TimeLine::take_samples(const TimeLine& same, std::uint64_t from) {
+    if (samples_ && same.samples_) samples_->take(*same.samples_, from);
+}
+
+void TimeLine::append_samples(std::span<const Sample> samples, std::uint64_t until) {
+    const auto end = std::upper_bound(samples.begin(), samples.end(), until,
+                                      [](std::uint64_t step, const Sample& row) { return step < row.step; });
+    if (samples_) samples_->append({samples.begin(), end});
+}
+
+void TimeLine::forget_samples_ahead(std::uint64_t step) {
+    if (samples_) samples_->cut(std::min(step, reached_));
+}
+
+TimeLine TimeLine::again(std::size_t bytes) const {
+    TimeLine line(changes_.front().description, bytes);
+    line.take({.changes = changes_, .moments = {}, .reached = reached_, .reached_time = reached_time_});
+    line.sample_as(*this);
+    return line;
 }
 
 void TimeLine::put_samples_into(SampleSeries& series) const {
@@ -254,12 +276,13 @@ std::optional<TimeLine::Branch> TimeLine::undo() {
     return left;
 }
 
-void TimeLine::keep_changes(std::size_t count) {
-    if (count >= changes_.size()) return;
+std::optional<TimeLine::Branch> TimeLine::keep_changes(std::size_t count) {
+    if (count >= changes_.size()) return std::nullopt;
     const std::uint64_t step = changes_[count].step;
     const bool beyond = taken_ > count;
-    cut(step, count);
+    std::optional<Branch> left = cut(step, count);
     if (beyond) stand_at(step, count);
+    return left;
 }
 
 std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {

@@ -88,9 +88,9 @@ public:
     /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then
     /// stands before them.
     std::optional<Branch> undo();
-    /// Forgets all changes but the first so many, and what lies behind the first of them; the run then stands there, if
-    /// it was beyond.
-    void keep_changes(std::size_t count);
+    /// Takes away all changes but the first so many, and what lies behind the first of them; the run then stands there,
+    /// if it was beyond.
+    std::optional<Branch> keep_changes(std::size_t count);
     /// Goes over to that way: the run stands where the two part, behind the branch's change there. What is left is
     /// returned.
     std::optional<Branch> take(Branch branch);
@@ -99,6 +99,16 @@ public:
     void sample(bool on, std::optional<std::size_t> particle = std::nullopt);
     /// The same as another one.
     void sample_as(const TimeLine& other);
+    /// True if samples are taken, and one up to this step is not known.
+    bool lacks_samples(std::uint64_t until) const { return samples_ && samples_->lack(until); }
+    /// Takes over those of a line that goes the same way, from this step on: those that are not known here.
+    void take_samples(const TimeLine& same, std::uint64_t from);
+    /// The same of samples that it had, up to this step.
+    void append_samples(std::span<const Sample> samples, std::uint64_t until);
+    /// Forgets those of steps that it was not at, and those behind this step.
+    void forget_samples_ahead(std::uint64_t step);
+    /// One that stands at the start and goes the same way, taking the same samples.
+    TimeLine again(std::size_t bytes) const;
     /// Of this branch, also of what lies ahead. Empty if none are taken.
     void put_samples_into(SampleSeries& series) const;
 

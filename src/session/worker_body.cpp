@@ -13,6 +13,8 @@ namespace {
 
 /// Computing time between two polls of the events: short enough for a change to take effect at once.
 constexpr Pace::Duration slice{0.008};
+/// The same of samples that are taken late, and how often they are shown.
+constexpr Pace::Duration late_slice{0.004}, between_late_views{0.2};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 /// Where not even an error can be handled, the next attempt comes after this time.
@@ -60,7 +62,7 @@ void Worker::Body::take_turn() {
     if (!well) give_up();
     if (doubtful || doubt) tell_doubt();
     if (doubtful) return;
-    to_show = std::exchange(frame_came, false) || to_show;
+    to_show = std::exchange(frame_came, false) || complete_samples() || to_show;
     to_show = to_show || doubted || !well;
     const auto [step, evaluations, diverged] = session->run().advanced();
     if (step != before) moved = Clock::now();
@@ -90,6 +92,7 @@ void Worker::Body::wait_for_work() {
     if (doubtful || session->goal() || session->is_behind()) return;
     if (gate_waits()) return changed.wait(lock, [this] { return called() || !gate_waits(); });
     const bool film_waits = film && film_plays && film->is_due();
+    if (lacks_samples()) return;
     if (!session->playing() && !film_waits) return changed.wait(lock, [this] { return called(); });
     const auto now = Clock::now();
     const auto due = film_waits ? film_due : pace.next_due(now, wanted_rate(), session->run().dt());
@@ -153,6 +156,21 @@ void Worker::Body::catch_up(Pace::Duration most) {
     const auto begin = Clock::now();
     went_well([&] { session->catch_up([&] { return Clock::now() - begin > most; }); });
     pace.begin(Clock::now());
+}
+
+/// True if there are samples to be taken late, and time that nothing else needs.
+bool Worker::Body::lacks_samples() const {
+    if (!session->lacks_samples() || session->goal() || session->is_behind() || gate) return false;
+    const auto now = Clock::now();
+    return !session->playing() || pace.next_due(now, wanted_rate(), session->run().dt()) > now;
+}
+
+/// Some of those; true if they are to be shown.
+bool Worker::Body::complete_samples() {
+    if (!lacks_samples()) return false;
+    const auto begin = Clock::now();
+    const bool found = session->complete_samples([&] { return Clock::now() - begin > late_slice; });
+    return found && (!session->lacks_samples() || begin - published > between_late_views);
 }
 
 /// Of all runs, so that they stay together. Whether all numbers are finite is checked when they are read: after every

@@ -155,6 +155,8 @@ struct Worker::Body {
     void play_frames(bool to_show);
     void tell_doubt();
     void catch_up(Pace::Duration most);
+    bool lacks_samples() const;
+    bool complete_samples();
     void keep_moment();
     void compare();
     void errors_came();
