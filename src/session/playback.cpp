@@ -6,8 +6,8 @@
 #include "io/indexed_text.hpp"
 #include "io/text_trajectory.hpp"
 #include "io/trajectory_reader.hpp"
-#include "models/scene/mean_nearest.hpp"
 #include "session/marks.hpp"
+#include "session/played_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -19,16 +19,6 @@ namespace {
 
 [[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
     throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
-}
-
-/// Of rows alone: where they are in the first frame.
-std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
-    Shape shape = *first.shape;
-    shape.rest = shape.expected = first.positions;
-    shape.roles.resize(first.positions.size(), Role::moving);
-    const double apart = mean_nearest(first.positions);
-    shape.spacing = apart > 0 ? apart : 1;
-    return std::make_shared<const Shape>(std::move(shape));
 }
 
 }  // namespace
@@ -44,7 +34,7 @@ Playback::Playback(const std::string& file) : file_(file), file_frames_(played_f
         refuse_file(file_, "it holds no positions");
     if (described && static_cast<double>(frame_.positions.size()) == model_of(run_).particles(as_held(run_).scene))
         meter_.emplace(run_);
-    shape_ = meter_ ? meter_->shape() : shape_of_rows(frame_);
+    shape_ = meter_ ? meter_->shape() : played_shape(*file_frames_, frame_);
     arrive();
 }
 

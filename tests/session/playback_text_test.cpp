@@ -55,6 +55,17 @@ TEST(Playback, of_text_shows_the_same_numbers_without_a_scene) {
     }
 }
 
+// The camera takes in what moves away from where it is at first, as far as numbers say.
+TEST(Playback, of_rows_expects_the_places_of_its_middle_and_its_end) {
+    const Kept file("1\n\nH 0 0 0\n1\n\nH 1 7 0\n1\n\nH 2 0 -3\n");
+    const std::vector<Vec3> expected = {{0, 0, 0}, {1, 7, 0}, {1, 7, 0}, {2, 0, -3}, {2, 0, -3}};
+    EXPECT_EQ(Playback(file.name()).frame().shape->expected, expected);
+    EXPECT_EQ(Playback(file.name()).frame().shape->rest, std::vector<Vec3>(1));
+    const Kept lost("1\n\nH 0 0 0\n1\n\nH nan 7 0\n1\n\nH 2 0 -3\n");
+    const std::vector<Vec3> known = {{0, 0, 0}, {2, 0, -3}, {2, 0, -3}};
+    EXPECT_EQ(Playback(lost.name()).frame().shape->expected, known);
+}
+
 // Its button is there for whole scenes alone.
 TEST(Playback, recommends_to_continue_only_what_can_be_continued) {
     const Written from(run_of("chain", "rk4", Precision::double_, 0.1));
