@@ -125,6 +125,14 @@ bool draw_marks(const Context& context, double end, std::string_view end_text) {
     return change || branch || bookmark;
 }
 
+/// Where ways that were left go on, there is room for their lines behind what was reached.
+double end_of_track(const TimeLineView& line, double reached) {
+    constexpr double most_room = 0.25;  // in what was reached
+    double end = reached;
+    for (const TimeLineView::Branch& branch : line.branches) end = std::max(end, branch.to);
+    return std::min(end, (1 + most_room) * reached);
+}
+
 /// A drag takes the session along; it plays on where the button is released if it played before.
 void seek(const Context& context, double time) {
     auto& resume = context.state.plays_after_scrubbing;
@@ -146,7 +154,8 @@ void draw_time_line(const Context& context) {
     const Area& area = context.layout.time_line;
     if (area.empty()) return;
     const StripWindow strip(context, "time line", area);
-    const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
+    const double now = context.view.frame.time, reached = std::max(now, context.session.line.reached_time);
+    const double end = end_of_track(context.session.line, reached);
     const std::string end_text = with_unit(time_text(end, context.view.dt), "s");
     const bool over_mark = draw_marks(context, end, end_text);
     slider_row(context, {.widget = "time",
@@ -157,10 +166,10 @@ void draw_time_line(const Context& context) {
                          .value_text = with_unit(time_text(now, context.view.dt), "s"),
                          .entry_text = typed(now),
                          .value = now,
-                         .default_value = end,
+                         .default_value = reached,
                          .range = {0, end, false, false},
                          .style = {},
-                         .set = [&](double time) { seek(context, time); },
+                         .set = [&](double time) { seek(context, std::min(time, reached)); },
                          .set_text = [&](std::string_view typed) { context.events.send(typed_moment(typed)); },
                          .longest_text = end_text});
     end_scrubbing(context);
