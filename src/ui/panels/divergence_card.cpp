@@ -1,4 +1,5 @@
 #include "core/number_text.hpp"
+#include "session/run_name.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/cards.hpp"
@@ -65,6 +66,18 @@ void show_beginning(const Context& context, const BlowUp& blow_up) {
     context.state.oscillation = true;
 }
 
+/// Beside it may be a run that goes on.
+void draw_other_run(const Context& context) {
+    const auto& followers = context.session.followers;
+    const auto other =
+        std::find_if(followers.begin(), followers.end(), [](const RunView& run) { return !run.divergence; });
+    if (other == followers.end()) return;
+    const std::string name = run_name(other->description, context.view.description);
+    if (text_button(context, "divergence.lead", "Let " + name + " lead"))
+        context.events.send(event::Lead{1 + static_cast<std::size_t>(other - followers.begin())});
+    tooltip(context, "that run goes on; this one stays beside it");
+}
+
 void draw_ways_on(const Context& context) {
     const auto& blow_up = context.session.blow_up;
     if (blow_up) {
@@ -125,6 +138,7 @@ void draw_divergence_card(const Context& context) {
     }
     ImGui::Dummy({0, context.px(4)});
     draw_ways_on(context);
+    draw_other_run(context);
 }
 
 }  // namespace steplab::ui

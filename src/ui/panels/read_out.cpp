@@ -42,7 +42,8 @@ void append_error(std::vector<Line>& lines, const Context& context) {
     if (!error && errors && !errors->runs.empty() && errors->runs.front())
         return append_reference_error(lines, *errors, view);
     if (!error) {
-        if (!view.why_not_exact.empty()) lines.push_back({"position error unknown: " + view.why_not_exact});
+        if (!view.why_not_exact.empty() && !view.divergence)
+            lines.push_back({"position error unknown: " + view.why_not_exact});
         return;
     }
     lines.push_back({"position error: " + with_unit(error_text(*error), "m") + " (against the exact solution)"});

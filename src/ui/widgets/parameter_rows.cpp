@@ -71,7 +71,7 @@ std::string parameter_help(const ParameterInfo& info) {
     return fmt::format(
         "{}\n{} · default {}\na change {}", info.what, range_text(info),
         with_unit(format_value(info, info.default_value), info.unit),
-        info.on_change == OnChange::restarts ? "restarts the run" : "takes effect at once; the run continues");
+        info.on_change == OnChange::restarts ? "restarts the scene" : "takes effect at once; the run continues");
 }
 
 void parameter_rows(const Context& context, std::string_view owner, const ParameterValues& values, const Set& set) {

@@ -90,6 +90,16 @@ TEST_F(Diverged, beginning_is_shown_with_the_oscillation_that_grew) {
     EXPECT_FALSE(desk.style.oscillation);
 }
 
+TEST_F(Diverged, card_offers_a_run_beside_that_goes_on) {
+    EXPECT_FALSE(desk.has("divergence.lead")) << "there is none";
+    desk.session.followers = {desk.view, view_of(Simulation(describe("chain", "rk4")))};
+    desk.frame();
+    desk.frame();
+    desk.click("divergence.lead");
+    ASSERT_TRUE(std::holds_alternative<event::Lead>(desk.recorder.events.back()));
+    EXPECT_EQ(std::get<event::Lead>(desk.recorder.events.back()).run, 2u) << "the first of them diverged, too";
+}
+
 TEST_F(Diverged, card_leads_to_its_page) {
     desk.click("divergence.page");
     const std::vector<Request> requests = desk.interface.take_requests();
