@@ -95,6 +95,7 @@ struct ShowCosts {
 /// Another run of the same scene beside the leading one, from its start on.
 struct AddRun {
     RunDescription description;
+    bool opening = false;  ///< of the runs that a session opens with, which is nothing to take back
 };
 /// Another description for a run beside the leading one (1 or more), which begins again with it.
 struct ChangeRun {

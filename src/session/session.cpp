@@ -41,7 +41,7 @@ struct Session::Handle {
     void operator()(const event::ShowErrors& show) const { session.with_errors_ = show.on; }
     void operator()(const event::ShowSamples& show) const { session.with_samples_ = show.on; }
     void operator()(const event::ShowCosts& show) const { session.with_costs_ = show.on; }
-    void operator()(const event::AddRun& added) const { session.add(added.description); }
+    void operator()(const event::AddRun& added) const { session.add(added); }
     void operator()(const event::ChangeRun& change) const { session.change_run(change.run, change.description); }
     void operator()(const event::EqualCost& cost) const { session.set_equal_cost(cost.on); }
     void operator()(const event::RemoveRun& remove) const { session.remove(remove.run); }

@@ -166,7 +166,7 @@ private:
     Beside exchange(const Beside& wanted);
 
     // what goes beside it
-    void add(const RunDescription& description);
+    void add(const event::AddRun& added);
     void change_run(std::size_t run, const RunDescription& description);
     void set_equal_cost(bool on);
     void lead(std::size_t follower);

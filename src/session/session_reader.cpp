@@ -245,7 +245,11 @@ const std::vector<EventKind>& event_kinds() {
         {"turn-round", {}, [](const Given&) -> Event { return event::Do{TurnRound{}}; }},
         {"undo", {}, [](const Given&) -> Event { return event::Undo{}; }},
         {"redo", {}, [](const Given&) -> Event { return event::Redo{}; }},
-        {"add-run", {"run"}, [](const Given& given) -> Event { return event::AddRun{given.run()}; }},
+        {"add-run",
+         {"run", "opening"},
+         [](const Given& given) -> Event {
+             return event::AddRun{given.run(), given.flag("opening")};
+         }},
         {"change-run",
          {"number", "run"},
          [](const Given& given) -> Event {

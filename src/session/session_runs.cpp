@@ -60,11 +60,11 @@ std::size_t Session::free_swatch() const {
     return swatch;
 }
 
-void Session::add(const RunDescription& description) {
+void Session::add(const event::AddRun& wanted) {
     if (followers_.size() + 1 == most_runs)
         throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
-    FollowerRun added = follower(at_cost(FollowerRun::at_start(description, line_)), free_swatch());
-    note(beside());
+    FollowerRun added = follower(at_cost(FollowerRun::at_start(wanted.description, line_)), free_swatch());
+    if (!wanted.opening) note(beside());
     followers_.push_back(std::move(added));
 }
 

@@ -162,7 +162,11 @@ struct EventLines {
         if (!act.others.empty()) lines.emplace_back("others", list_of(act.others));
         return lines;
     }
-    Lines operator()(const event::AddRun& add) const { return {{"run", runs.inline_table(add.description)}}; }
+    Lines operator()(const event::AddRun& add) const {
+        Lines lines{{"run", runs.inline_table(add.description)}};
+        if (add.opening) lines.emplace_back("opening", "true");
+        return lines;
+    }
     Lines operator()(const event::ChangeRun& change) const {
         return {{"number", std::to_string(change.run)}, {"run", runs.inline_table(change.description)}};
     }

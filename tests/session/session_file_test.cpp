@@ -86,6 +86,24 @@ TEST(SessionFile, holds_that_a_slider_was_held) {
     EXPECT_NE(replayed_from_text(parse_session(single, "a.session")), "the same") << "undo takes back one change then";
 }
 
+TEST(SessionFile, holds_with_which_runs_a_session_opened) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::AddRun{replayed_chain(), true});
+    session.handle(event::AddRun{replayed_chain()});
+    session.handle(event::Step{2});
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.followers().size(), 1u);
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.followers().size(), 1u) << "that one was there when it opened";
+    session.finish();
+    const std::string text = session_text(*session.recorded());
+    EXPECT_THAT(text, HasSubstr("opening = true\n"));
+    EXPECT_EQ(session_text(parse_session(text, "a.session")), text);
+    EXPECT_EQ(replayed_from_text(parse_session(text, "a.session")), "the same");
+    EXPECT_NE(replayed_from_text(parse_session(replaced(text, "opening = true\n", ""), "a.session")), "the same");
+}
+
 TEST(SessionFile, holds_speeds_and_pauses) {
     Session session(replayed_chain());
     session.record();

@@ -27,12 +27,13 @@ TEST(caption, names_scene_method_dt_and_time) {
 TEST(caption, has_a_line_for_each_run) {
     SessionView session{.leading = view_of(Simulation(chain_of("rk4", 0.1)))};
     session.followers.push_back(view_of(Simulation(chain_of("euler", 0.02))));
+    session.followers.back().swatch = 3;
     const auto lines = caption_lines({}, session);
     ASSERT_EQ(lines.size(), 3u);
-    EXPECT_EQ(lines[0].run, std::nullopt);
-    EXPECT_EQ(lines[1].run, 0u);
+    EXPECT_EQ(lines[0].swatch, std::nullopt);
+    EXPECT_EQ(lines[1].swatch, 0u);
     EXPECT_NE(lines[1].text.find("rk4, dt 0.1 s"), std::string::npos) << lines[1].text;
-    EXPECT_EQ(lines[2].run, 1u);
+    EXPECT_EQ(lines[2].swatch, 3u);
     EXPECT_NE(lines[2].text.find("euler, dt 0.02 s"), std::string::npos) << lines[2].text;
 }
 

@@ -26,7 +26,7 @@ void Viewer::open(const WindowRequest& request) {
     if (style_.displacements != 1) worker_->send(event::Magnify{style_.displacements});
     take_news();
     place_camera(request);  // a wrong text is reported now
-    for (const RunDescription& run : request.followers) worker_->send(event::AddRun{run});
+    for (const RunDescription& run : request.followers) worker_->send(event::AddRun{run, true});
     if (request.rate) worker_->send(event::SetRate{*request.rate});
     if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
     if (request.steps > 0) worker_->send(event::Seek{request.steps});
