@@ -66,8 +66,8 @@ void draw_panels(const Context& context) {
     draw_edges(context);
     draw_top_bar(context);
     draw_pointed(context);
-    draw_hands(context);
     draw_read_out(context);
+    draw_hands(context);
     if (context.purpose == Purpose::plot_picture) return;
     draw_lost_card(context);
     draw_divergence_card(context);

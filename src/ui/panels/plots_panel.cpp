@@ -80,10 +80,15 @@ void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
     }
 }
 
+/// Of the button of the scale, whose word is a short one in narrow plots.
+bool is_narrow(const Context& context, const Area& area) { return area.width < context.px(280); }
+float scale_width(const Context& context, const Area& area) { return context.px(is_narrow(context, area) ? 36 : 56); }
+
 /// Of the box that names the kind: what the other controls leave.
 float kind_width(const Context& context, const Area& area) {
     const bool adds = context.state.plots.shown.size() < static_cast<std::size_t>(context.layout.plot_count);
-    return std::clamp(area.width - context.px(adds ? 176 : 148), context.px(60), context.px(172));
+    const float others = scale_width(context, area) + context.px(adds ? 120 : 92);
+    return std::clamp(area.width - others, context.px(60), context.px(172));
 }
 
 void draw_kind(const Context& context, std::size_t number, const Area& area) {
@@ -94,11 +99,11 @@ void draw_kind(const Context& context, std::size_t number, const Area& area) {
 }
 
 /// Linear, logarithmic, or logarithmic on both sides of 0: a click goes on to the next one.
-void draw_scale(const Context& context, PlotChoice& choice) {
-    static constexpr std::array<const char*, 3> names{"linear", "log", "\u00b1log"};
+void draw_scale(const Context& context, PlotChoice& choice, const Area& area) {
+    const std::array<const char*, 3> names{is_narrow(context, area) ? "lin" : "linear", "log", "\u00b1log"};
     const auto scale = static_cast<std::size_t>(choice.scale);
     const std::string widget = std::string(info_of(choice.kind).id) + ".scale";
-    if (text_button(context, widget, names[scale], false, context.px(56)))
+    if (text_button(context, widget, names[scale], false, scale_width(context, area)))
         choice = {choice.kind, static_cast<plot::Scale>((scale + 1) % names.size())};
     tooltip(context, "the axis up: linear, logarithmic (of values above 0), or logarithmic on both sides of 0");
 }
@@ -132,7 +137,7 @@ void draw_count(const Context& context, std::size_t number, const Area& area) {
 
 /// Where what the axis up means stands in the line of controls.
 float title_from(const Context& context, const Area& area) {
-    return area.x + kind_width(context, area) + context.px(8 + 6 + 56 + 10);
+    return area.x + kind_width(context, area) + scale_width(context, area) + context.px(8 + 6 + 10);
 }
 
 bool has_room_for_title(const Context& context, const plot::Plot& plot, const Area& area) {
@@ -152,7 +157,7 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
     ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
     draw_kind(context, number, area);
     ImGui::SameLine(0, context.px(6));
-    draw_scale(context, context.state.plots.shown[number]);
+    draw_scale(context, context.state.plots.shown[number], area);
     const WithFont font(context.theme.fonts().small);
     if (has_room_for_title(context, plot, area)) text_left(title_from(context, area), y, plot.title, colour::text_dim);
     draw_count(context, number, area);

@@ -1,6 +1,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace steplab::ui {
@@ -49,10 +50,14 @@ void draw_box(const Context& context, ImDrawList& list, const Box& box, std::str
     const float half = context.px(4);
     list.AddTriangleFilled({x - half, y - 0.5f * half}, {x + half, y - 0.5f * half}, {x, y + 0.8f * half},
                            colour::text_dim);
+    const ImVec4 room{box.from.x, box.from.y, x - 1.5f * half, box.to.y};
+    const float from = box.from.x + context.px(room.z - room.x < context.px(100) ? 7 : 11);
     ImFont* font = context.theme.fonts().strong;
-    const ImVec4 room{box.from.x, box.from.y, x - 2 * half, box.to.y};
-    list.AddText(font, font->FontSize, {box.from.x + context.px(11), std::round(y - 0.5f * font->FontSize)},
-                 colour::text, name.data(), name.data() + name.size(), 0, &room);
+    const char *const text = name.data(), *const end = text + name.size();
+    if (from + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text, end).x > room.z)
+        font = context.theme.fonts().small;
+    list.AddText(font, font->FontSize, {from, std::round(y - 0.5f * font->FontSize)}, colour::text, text, end, 0,
+                 &room);
 }
 
 /// Width of the widest item, including the gap between name and remark.
