@@ -29,6 +29,7 @@ public:
 
     /// The number of events that were handled.
     std::size_t handled() const { return std::min(next_, recording_.events.size()); }
+    std::size_t events() const { return recording_.events.size(); }
     /// Forward steps so far of the leading run, and about how many there are in all.
     std::uint64_t steps() const { return steps_; }
     std::uint64_t all_steps() const;

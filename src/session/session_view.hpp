@@ -74,6 +74,12 @@ struct PlaybackView {
     double looked_through = 1;  ///< the part of the file in which frames were looked for so far
 };
 
+/// A recorded session that is played like a film: how many of its events happened.
+struct FilmView {
+    std::size_t handled = 0, events = 0;
+    friend bool operator==(const FilmView&, const FilmView&) = default;
+};
+
 /// What the interface sees of a session: one consistent moment of all its runs. Plain data.
 struct SessionView {
     RunView leading = {};
@@ -88,6 +94,7 @@ struct SessionView {
     std::shared_ptr<const PresentLimit> present = {};
     std::shared_ptr<const BlowUp> blow_up = {};  ///< why it diverged, as far as that is known
     std::optional<PlaybackView> playback = {};   ///< if a trajectory is played
+    std::optional<FilmView> film = {};           ///< while a recorded session is played, but for a part of a lesson
 };
 
 }  // namespace steplab

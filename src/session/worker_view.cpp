@@ -87,6 +87,8 @@ void Worker::Body::see() {
         for (std::size_t i = 0; i < view.followers.size(); ++i)
             view.followers[i].cost = session->followers()[i].line().cost();
     }
+    view.film.reset();
+    if (film && !part) view.film = {film->handled(), film->events()};
     leading.run += runs_before;
     newest_run = leading.run;
     leading.error = error;

@@ -64,6 +64,18 @@ TEST_F(FilmTest, plays_to_the_end_and_stands_there) {
     EXPECT_EQ(again.end->hashes, recorded().end->hashes);
 }
 
+TEST_F(FilmTest, tells_how_far_it_is_until_it_ends_or_something_else_is_done) {
+    const std::size_t events = recorded().events.size();
+    EXPECT_TRUE(see([&](const SessionView& now) { return now.film == FilmView{0, events}; }));
+    worker.send(event::Play{true});
+    EXPECT_TRUE(see([&](const SessionView& now) { return now.film && now.film->handled >= 3; }));
+    EXPECT_TRUE(see([](const SessionView& now) { return !now.film && now.leading.frame.step == 65; }));
+    worker.begin(recorded());
+    EXPECT_TRUE(see([](const SessionView& now) { return now.film.has_value(); }));
+    worker.send(event::Step{1});
+    EXPECT_TRUE(see([](const SessionView& now) { return !now.film && now.leading.frame.step == 1; }));
+}
+
 /// Two steps, with a pause of so many seconds before the second one.
 Recording recorded_with_pause(double seconds) {
     Session session(filmed_chain());
