@@ -3,9 +3,11 @@
 #include "core/error.hpp"
 #include "session/random_events.hpp"
 #include "session/session_test.hpp"
+#include "session/worker_test.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -195,6 +197,43 @@ TEST_P(Late, samples_are_the_same_again_after_any_events) {
         expect_same(samples_reached(session), known);
         if (HasFailure()) return;
     }
+}
+
+/// True if they tell of all steps up to this one, and of the particle.
+bool are_complete(const SampleSeries& series, std::uint64_t last) {
+    const auto tells = [](const Sample& sample) { return sample.particle.has_value(); };
+    return series.samples.size() == last + 1 && std::all_of(series.samples.begin(), series.samples.end(), tells);
+}
+
+class LateInTheWindow : public WorkerTest {
+protected:
+    LateInTheWindow() {
+        worker.send(event::Track{1});
+        worker.send(event::ShowSamples{true});
+        worker.send(event::AddRun{chain("rk4")});
+        worker.send(event::Step{2000});
+        EXPECT_TRUE(see([](const RunView& view) { return view.frame.step == 2000; }));
+    }
+    /// Until all runs have all samples of another particle.
+    bool completes(std::size_t particle) {
+        worker.send(event::Track{particle});
+        return see([&](const RunView& view) {
+            const std::uint64_t step = session.followers.at(0).frame.step;
+            return view.tracked && view.tracked->particle == particle &&
+                   are_complete(view.series, session.line.reached) && are_complete(session.followers[0].series, step);
+        });
+    }
+};
+
+TEST_F(LateInTheWindow, samples_are_taken_while_the_session_stands) {
+    EXPECT_TRUE(completes(3));
+    EXPECT_EQ(view.frame.step, 2000u);
+}
+
+TEST_F(LateInTheWindow, samples_are_taken_while_it_plays_with_time_to_spare) {
+    worker.send(event::Play{true});
+    EXPECT_TRUE(completes(4));
+    EXPECT_TRUE(view.playing);
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, Late, ::testing::ValuesIn(precisions), [](const auto& info) {
