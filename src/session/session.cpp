@@ -61,7 +61,6 @@ void Session::handle(const Event& event) {
 /// After what can have changed which samples are lacking. What is known of the way ahead of runs beside the leading one
 /// was of that which it is no longer known to go.
 void Session::look_for_lacking(const Event& event) {
-    if (!with_samples_) return late_.reset();
     if (is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::SetRate, event::Bookmark,
                event::ShowForces, event::Magnify, event::ShowErrors, event::ShowCosts>(event))
         return;

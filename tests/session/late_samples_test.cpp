@@ -136,13 +136,33 @@ TEST_P(Late, runs_beside_have_samples_as_far_as_the_leading_run_when_a_change_is
 
 TEST_P(Late, runs_beside_keep_their_samples_where_the_session_goes_back_before_a_change) {
     Session session = begun(1, true);
+    session.handle(event::AddRun{with(chain("verlet", GetParam()), "dt", 0.7)});
     play(session);
     const auto whole = samples_of(session);
-    go_to(session, 100);
-    expect_same(samples_of(session), whole);
-    go_to(session, 400);
-    expect_same(samples_of(session), whole);
+    for (const std::uint64_t step : {100u, 499u, 400u, 299u}) {  // 499: the long step before the kick has begun
+        go_to(session, step);
+        expect_same(samples_of(session), whole);
+    }
     EXPECT_FALSE(session.lacks_samples()) << "nothing had to be computed again";
+}
+
+// The way that is gone over to has other kicks than what was known of the one before.
+TEST_P(Late, samples_of_a_way_that_is_taken_again_are_its_own) {
+    Session session = begun(1, true);
+    play(session, 2000);
+    go_to(session, 350);
+    session.handle(event::Do{Kick{4, {0, 0.5, 0}}});
+    session.handle(event::Step{3000});
+    complete(session);
+    for (int i = 0; i < 2; ++i) {
+        session.handle(event::TakeBranch{0});
+        complete(session);
+        const auto known = samples_of(session);
+        session.handle(event::Track{2});
+        session.handle(event::Track{1});
+        complete(session);
+        expect_same(samples_of(session), known);
+    }
 }
 
 // What runs beside would have done on a way that was left is not shown on the new one.
@@ -228,6 +248,16 @@ protected:
 TEST_F(LateInTheWindow, samples_are_taken_while_the_session_stands) {
     EXPECT_TRUE(completes(3));
     EXPECT_EQ(view.frame.step, 2000u);
+}
+
+// Nothing else wakes the worker then.
+TEST_F(LateInTheWindow, samples_of_a_run_alone_are_taken) {
+    worker.send(event::RemoveRun{1});
+    EXPECT_TRUE(see([&](const RunView&) { return session.followers.empty(); }));
+    worker.send(event::Track{2});
+    EXPECT_TRUE(see([](const RunView& view) {
+        return view.tracked && view.tracked->particle == 2 && are_complete(view.series, 2000);
+    }));
 }
 
 TEST_F(LateInTheWindow, samples_are_taken_while_it_plays_with_time_to_spare) {

@@ -41,6 +41,9 @@ TEST(Swatches, stay_with_their_runs_whatever_happens_to_others) {
     EXPECT_EQ(swatches(session), "stoermer 2, verlet 0, euler 3, midpoint 1") << "the one that is free";
     session.handle(event::RemoveRun{0});
     EXPECT_EQ(swatches(session), "verlet 0, euler 3, midpoint 1");
+    session.handle(event::Lead{1});
+    session.handle(event::Begin{chain("rk4")});
+    EXPECT_EQ(swatches(session), "rk4 0");
 }
 
 TEST(Swatches, come_back_with_what_is_undone) {
