@@ -31,7 +31,7 @@ struct Palette {
     Rgb force;                  ///< arrows of forces
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
-    std::array<Rgb, 4> runs;    ///< of a session, the leading one first
+    std::array<Rgb, 4> runs;    ///< of a session, by swatch
     Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
     double sky, earth;          ///< ambient light from above and below, 0 .. 1
 };

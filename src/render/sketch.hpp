@@ -28,7 +28,7 @@ public:
     void text_over(PixelPoint top_left, const std::string& text, Rgb colour, Rgb ground);
     void line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity = 1);
     void disc(PixelPoint centre, double radius, Rgb colour, double opacity = 1);
-    /// A circle, or a regular polygon with one corner or, of four, one side at the top.
+    /// A circle (0 corners), or a regular polygon whose first corner lies so many turns from the right upward.
     void outline(PixelPoint centre, double radius, int corners, double first, Rgb colour, double width);
     void box(PixelPoint top_left, PixelPoint bottom_right, Rgb colour, double opacity = 1);
     /// A box with a colour gradient from top to bottom.

@@ -1,15 +1,14 @@
 #include "session/follower_run.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace steplab {
 
 namespace {
 
-/// Steps between two questions whether to stop.
-constexpr std::uint64_t piece = 64;
+/// Between two questions whether to stop: particles times steps, and steps.
+constexpr std::uint64_t piece = 1 << 14, most_at_once = 64;
 
 FollowerRun::Course course_of(const TimeLine& leading) {
     return {leading.changes(), leading.past().size(), leading.time()};
@@ -22,14 +21,14 @@ FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes, s
 
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
     const Course course = course_of(leading);
-    go_back(course);
+    go_back(shared(course));
     line_.sample_as(leading);
     return follow(course, enough);
 }
 
 /// Where the leading run has gone another way than this one, this one goes back to where they part.
 bool FollowerRun::follow(const Course& leading, const std::function<bool()>& enough) {
-    go_back(leading);
+    go_back(shared(leading));
     if (followed_.empty()) followed_.push_back({leading.changes.front()});
     while (followed_.size() < leading.taken) {
         const SegmentBegin& next = leading.changes[followed_.size()];
@@ -52,32 +51,32 @@ bool FollowerRun::is_beside(const TimeLine& leading) const {
 std::size_t FollowerRun::shared(const Course& leading) const {
     const std::uint64_t wanted = line_.step_at(leading.time);
     std::size_t same = 0;
-    while (same < same_changes(leading) && (same < leading.taken || followed_[same].at > wanted)) ++same;
+    while (same < std::min(followed_.size(), leading.changes.size()) &&
+           followed_[same].change == leading.changes[same] && (same < leading.taken || followed_[same].at > wanted))
+        ++same;
     return same;
 }
 
-/// How many of its changes are those of that way, whether they are due or not.
-std::size_t FollowerRun::same_changes(const Course& leading) const {
-    const auto differ =
-        std::mismatch(followed_.begin(), followed_.end(), leading.changes.begin(), leading.changes.end(),
-                      [](const Followed& mine, const SegmentBegin& its) { return mine.change == its; });
-    return static_cast<std::size_t>(differ.first - followed_.begin());
+/// What it did behind a change that it has not followed is not what it will do there.
+void FollowerRun::forget_other_samples(const TimeLine& leading) {
+    const auto changes = leading.changes();
+    std::size_t same = 0;
+    while (same < std::min(followed_.size(), changes.size()) && followed_[same].change == changes[same]) ++same;
+    const double end =
+        same < changes.size() ? std::min(changes[same].time, leading.reached_time()) : leading.reached_time();
+    line_.forget_samples_behind(line_.step_at(end));
 }
 
-/// To before the first change that the leading run has not made where it stands. What samples tell of the way ahead
-/// stays known as far as it will be the same again.
-void FollowerRun::go_back(const Course& leading) {
-    const std::size_t kept = shared(leading), same = same_changes(leading);
+/// To before the first of these that is not kept.
+void FollowerRun::go_back(std::size_t kept) {
     if (kept == followed_.size()) return;
-    const std::uint64_t parts =
-        same < followed_.size() ? followed_[same].at : std::numeric_limits<std::uint64_t>::max();
-    judged_.reset();
     if (kept == 0) {
         line_ = TimeLine(description_, bytes_);
-    } else if (const auto left = line_.keep_changes(followed_[kept - 1].changes)) {
-        line_.append_samples(left->samples, parts);
+    } else {
+        line_.keep_changes(followed_[kept - 1].changes);
     }
     followed_.resize(kept);
+    judged_.reset();
 }
 
 bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {
@@ -87,9 +86,10 @@ bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {
         return true;
     }
     if (line_.run().advanced().step > step || line_.ended_beyond(step)) line_.turn_to_any(step);
+    const std::uint64_t most = std::clamp<std::uint64_t>(piece / line_.run().particles(), 1, most_at_once);
     while (line_.run().advanced().step < step && !line_.run().advanced().diverged) {
-        if (enough()) return false;
-        line_.advance(std::min(piece, step - line_.run().advanced().step));
+        line_.advance(std::min(most, step - line_.run().advanced().step));
+        if (line_.run().advanced().step < step && enough()) return false;
     }
     if (!line_.is_over() && !line_.run().is_plausible()) judge(step);
     if (!line_.is_over()) line_.keep_moment();

@@ -28,6 +28,8 @@ public:
     std::optional<RunDescription> description_in(const RunDescription& beginning, const TimeLine& leading) const;
     /// Throws UsageError if it cannot go that way: all changes from a start on.
     void check_way(std::span<const SegmentBegin> way) const;
+    /// Forgets samples of where the leading run does not go, or goes another way.
+    void forget_other_samples(const TimeLine& leading);
     TimeLine& line() { return line_; }
     const TimeLine& line() const { return line_; }
 
@@ -58,8 +60,7 @@ private:
     };
 
     std::size_t shared(const Course& leading) const;
-    std::size_t same_changes(const Course& leading) const;
-    void go_back(const Course& leading);
+    void go_back(std::size_t kept);
     bool go_to(double time, const std::function<bool()>& enough);
     void judge(std::uint64_t step);
     void take(const SegmentBegin& before, const SegmentBegin& change);

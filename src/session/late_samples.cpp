@@ -6,19 +6,26 @@ namespace steplab {
 
 namespace {
 
-/// Memory for moments to come back to: it only goes forward.
+/// Memory for moments to come back to: as a rule it only goes forward.
 constexpr std::size_t few_bytes = std::size_t{1} << 20;
-/// Particles times steps between two questions whether to stop: short beside the time between two pictures.
-constexpr std::uint64_t piece = 1 << 14;
+/// Between two questions whether to stop: particles times steps, and steps.
+constexpr std::uint64_t late_piece = 1 << 14, most_late_steps = 512;
 
 }  // namespace
 
 bool LateSamples::take(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough) {
-    for (; run_ <= followers.size(); ++run_) {
-        if (!(run_ == 0 ? take(leading, enough) : take(leading, followers[run_ - 1], enough))) return false;
-        leading_again_.reset();
-        follower_again_.reset();
-        known_ = 0;
+    if (all_) found_ = false;
+    all_ = take_all(leading, followers, enough);
+    return all_;
+}
+
+bool LateSamples::take_all(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough) {
+    if (!take(leading, enough)) return false;
+    leading_again_.reset();
+    known_ = 0;
+    again_.resize(followers.size());
+    for (std::size_t i = 0; i < followers.size(); ++i) {
+        if (!take(leading, followers[i], again_[i], enough)) return false;
     }
     return true;
 }
@@ -28,35 +35,53 @@ bool LateSamples::take(TimeLine& leading, const std::function<bool()>& enough) {
     if (!leading.lacks_samples(leading.reached())) return true;
     if (!leading_again_) leading_again_.emplace(leading.again(few_bytes));
     TimeLine& again = *leading_again_;
-    const std::uint64_t stretch = std::max<std::uint64_t>(1, piece / again.run().particles());
-    while (again.run().advanced().step < leading.reached() && !again.is_over()) {
-        if (enough()) {
-            hand_over(again, leading);
-            return false;
-        }
-        again.advance(std::min(stretch, leading.reached() - again.run().advanced().step));
-    }
-    hand_over(again, leading);
-    return true;
-}
-
-/// Of a run beside it up to the same time, by all changes that the leading one will make until then.
-bool LateSamples::take(const TimeLine& leading, FollowerRun& follower, const std::function<bool()>& enough) {
-    if (!follower.line().lacks_samples(follower.line().step_at(leading.reached_time()))) return true;
-    if (!follower_again_) {
-        follower_again_.emplace(follower.description(), few_bytes);
-        follower_again_->line().sample_as(leading);
-    }
-    const auto changes = leading.changes();
-    const bool there = follower_again_->follow({changes, changes.size(), leading.reached_time()}, enough);
-    hand_over(follower_again_->line(), follower.line());
+    const std::uint64_t most = std::clamp<std::uint64_t>(late_piece / again.run().particles(), 1, most_late_steps);
+    bool there = false;
+    do {
+        again.advance(std::min(most, leading.reached() - std::min(leading.reached(), again.run().advanced().step)));
+        there = again.run().advanced().step >= leading.reached() || again.is_over();
+    } while (!there && !enough());
+    leading.take_samples(again, known_);
+    known_ = again.run().advanced().step + 1;
+    found_ = true;
     return there;
 }
 
-void LateSamples::hand_over(const TimeLine& again, TimeLine& line) {
-    line.take_samples(again, known_);
+/// Of a run beside it up to the same time, by all changes that the leading one will make until then.
+bool LateSamples::take(const TimeLine& leading, FollowerRun& follower, Again& again,
+                       const std::function<bool()>& enough) {
+    TimeLine& line = follower.line();
+    const double end = leading.reached_time();
+    const std::uint64_t until = line.step_at(end);
+    const bool ahead = line.reached() < until && !line.is_over() && !again.knows(end);
+    if (!ahead && !line.lacks_samples(std::min(until, line.reached()))) return true;
+    if (!again.run) {
+        again.run.emplace(follower.description(), few_bytes);
+        again.run->line().sample_as(leading);
+    }
+    const auto changes = leading.changes();
+    const bool there = again.run->follow({changes, changes.size(), end}, enough);
+    const TimeLine& known = again.run->line();
+    line.take_samples(known, 0);
     found_ = true;
-    known_ = again.run().advanced().step + 1;
+    if (!there) return false;
+    again.samples.assign(known.samples().begin(), known.samples().end());
+    again.stretch = std::make_shared<const int>();
+    again.until = end;
+    again.over = known.is_over();
+    again.run.reset();
+    return true;
+}
+
+void LateSamples::put_ahead_into(std::size_t follower, SampleSeries& series) const {
+    if (follower >= again_.size() || again_[follower].samples.empty()) return;
+    const Again& again = again_[follower];
+    const std::uint64_t last = series.samples.empty() ? 0 : series.samples.back().step;
+    const auto first = std::upper_bound(again.samples.begin(), again.samples.end(), last,
+                                        [](std::uint64_t step, const Sample& sample) { return step < sample.step; });
+    if (first == again.samples.end()) return;
+    series.samples.insert(series.samples.end(), first, again.samples.end());
+    series.stretch = again.stretch;
 }
 
 }  // namespace steplab

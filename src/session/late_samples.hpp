@@ -6,32 +6,44 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace steplab {
 
 /// Samples of where the runs of a session were that were not taken there: those of another particle, of before plots
-/// were shown, of a way that runs beside the leading one have not gone again. The same way is gone once more beside the
-/// session, a piece at a time. To be thrown away when something is done to the runs.
+/// were shown; and of the way ahead of runs beside the leading one that they have not gone again. The same way is gone
+/// once more beside the session, a piece at a time. To be thrown away when something is done to the runs.
 class LateSamples {
 public:
-    /// Goes on until `enough` says so; true if none is lacking any more. Throws Interrupted.
+    /// Goes on until `enough` says so; true if none is lacking any more. Throws UsageError, Interrupted.
     bool take(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough);
-
-    /// True if there were some.
+    /// True if some were found since none was lacking.
     bool found() const { return found_; }
+    /// Adds those of the way ahead of a run beside the leading one to its own.
+    void put_ahead_into(std::size_t follower, SampleSeries& series) const;
 
 private:
-    bool take(TimeLine& leading, const std::function<bool()>& enough);
-    bool take(const TimeLine& leading, FollowerRun& follower, const std::function<bool()>& enough);
-    void hand_over(const TimeLine& again, TimeLine& line);
+    /// A run beside the leading one that goes its way once more.
+    struct Again {
+        std::optional<FollowerRun> run;      ///< until it is there
+        std::vector<Sample> samples;         ///< then
+        std::shared_ptr<const int> stretch;  ///< SampleSeries::stretch with these
+        std::optional<double> until;         ///< the time that it got to
+        bool over = false;                   ///< there is nothing beyond
+        bool knows(double time) const { return until && (over || *until >= time); }
+    };
 
-    std::size_t run_ = 0;  ///< which one's are taken, 0: the leading one's
+    bool take_all(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough);
+    bool take(TimeLine& leading, const std::function<bool()>& enough);
+    bool take(const TimeLine& leading, FollowerRun& follower, Again& again, const std::function<bool()>& enough);
+
     std::optional<TimeLine> leading_again_;
-    std::optional<FollowerRun> follower_again_;
-    std::uint64_t known_ = 0;  ///< samples of that run before this step were handed over
-    bool found_ = false;
+    std::uint64_t known_ = 0;  ///< samples of it before this step were handed over
+    std::vector<Again> again_;
+    bool found_ = false, all_ = true;  ///< some were found; none is lacking
 };
 
 }  // namespace steplab

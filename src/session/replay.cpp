@@ -22,16 +22,25 @@ bool Replay::next_diverged() const {
     return next_ < recording_.events.size() ? recording_.events[next_].diverged : recording_.end->diverged;
 }
 
-/// From one event to the next; what an event itself moves is not known before.
-std::uint64_t Replay::all_steps() const {
+/// Forward steps from one event to the next, up to that of so many events; what an event itself moves is not known
+/// before.
+std::uint64_t Replay::steps_to(std::size_t events) const {
     std::uint64_t sum = 0, at = 0;
-    const auto go_to = [&](std::uint64_t step) {
+    for (std::size_t i = 0; i < events; ++i) {
+        const std::uint64_t step = i < recording_.events.size() ? recording_.events[i].step : recording_.end->step;
         sum += step > at ? step - at : 0;
         at = step;
-    };
-    for (const RecordedEvent& event : recording_.events) go_to(event.step);
-    if (recording_.end) go_to(recording_.end->step);
+    }
     return sum;
+}
+
+std::uint64_t Replay::all_steps() const { return steps_to(recording_.events.size() + (recording_.end ? 1 : 0)); }
+
+double Replay::done() const {
+    const std::uint64_t all = all_steps();
+    if (is_done() || all == 0) return is_done() ? 1 : 0;
+    const std::uint64_t to_next = steps_to(next_ + 1), left = std::min(ahead(), to_next);
+    return static_cast<double>(to_next - left) / static_cast<double>(all);
 }
 
 bool Replay::is_due() const { return session_.run().step() == next_step() || session_.line().is_over(); }

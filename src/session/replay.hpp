@@ -29,10 +29,11 @@ public:
 
     /// The number of events that were handled.
     std::size_t handled() const { return std::min(next_, recording_.events.size()); }
-    std::size_t events() const { return recording_.events.size(); }
     /// Forward steps so far of the leading run, and about how many there are in all.
     std::uint64_t steps() const { return steps_; }
     std::uint64_t all_steps() const;
+    /// The part of them that lies behind the present moment.
+    double done() const;
     /// Seconds for which the session had stood still before the next event.
     double pause() const { return next_ < recording_.events.size() ? recording_.events[next_].pause : 0; }
     /// True if a hash was compared.
@@ -51,6 +52,7 @@ public:
 
 private:
     std::uint64_t next_step() const;
+    std::uint64_t steps_to(std::size_t events) const;
     bool next_diverged() const;
     std::string place() const;
     std::optional<std::string> check_place();

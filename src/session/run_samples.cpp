@@ -53,11 +53,18 @@ void RunSamples::put(const Sample& sample) {
     if (wants(sample.step)) rows_.put(sample);
 }
 
-void RunSamples::take(const RunSamples& same, std::uint64_t from) {
+void RunSamples::take(const RunSamples& same, std::uint64_t from, std::uint64_t until) {
     rows_.thin_to(same.spacing());
     for (const Sample& sample : same.all()) {
-        if (sample.step >= from) put(sample);
+        if (sample.step >= from && sample.step <= until) put(sample);
     }
+}
+
+void RunSamples::append(std::vector<Sample> samples, std::optional<std::size_t> followed) {
+    for (Sample& sample : samples) {
+        if (followed != particle_) sample.particle.reset();
+    }
+    rows_.append(samples);
 }
 
 bool RunSamples::lack(std::uint64_t until) const {

@@ -56,8 +56,8 @@ public:
     void take_again(const Simulation& run);
     /// Takes one, unless it is known or there are to be fewer.
     void put(const Sample& sample);
-    /// Takes over those of the same run from this step on that are not known, and is no denser than they are.
-    void take(const RunSamples& same, std::uint64_t from);
+    /// Takes over those of the same run of these steps that are not known, and is no denser than they are.
+    void take(const RunSamples& same, std::uint64_t from, std::uint64_t until);
     /// From now on a particle is followed; what is known of another one is forgotten.
     void follow(std::optional<std::size_t> particle);
     std::optional<std::size_t> followed() const { return particle_; }
@@ -67,8 +67,8 @@ public:
     void clear() { rows_.cut(0); }
     /// True if one that belongs up to this step is not known, or not of the particle that is followed.
     bool lack(std::uint64_t until) const;
-    /// Puts such back.
-    void append(std::span<const Sample> samples) { rows_.append(samples); }
+    /// Puts such back, that told of this particle.
+    void append(std::vector<Sample> samples, std::optional<std::size_t> followed);
     std::span<const Sample> all() const { return rows_.all(); }
     /// Copies what is new there.
     void put_into(SampleSeries& series) const { rows_.put_into(series); }

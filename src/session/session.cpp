@@ -58,25 +58,26 @@ void Session::handle(const Event& event) {
     look_for_lacking(event);
 }
 
-/// After what can have changed which samples are lacking. What is known of the way ahead of runs beside the leading one
-/// was of that which it is no longer known to go.
+/// After what can have changed which samples are lacking.
 void Session::look_for_lacking(const Event& event) {
     if (is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::SetRate, event::Bookmark,
-               event::ShowForces, event::Magnify, event::ShowErrors, event::ShowCosts>(event))
+               event::ShowEnsemble, event::ShowForces, event::Magnify, event::ShowErrors, event::ShowCosts>(event))
         return;
-    for (FollowerRun& each : followers_) each.line().forget_samples_ahead(each.line().step_at(line_.reached_time()));
-    late_.emplace();
+    for (FollowerRun& each : followers_) each.forget_other_samples(line_);
+    late_ = {};
+    lacking_ = with_samples_;
 }
 
 bool Session::complete_samples(const std::function<bool()>& enough) {
-    if (!late_) return false;
+    if (!lacking_) return false;
     try {
-        const bool all = late_->take(line_, followers_, enough), found = late_->found();
-        if (all) late_.reset();
-        return found;
-    } catch (const UsageError&) {  // it is told when the run itself comes there
-        late_.reset();
-        return false;
+        lacking_ = !late_.take(line_, followers_, enough);
+        return late_.found();
+    } catch (const std::exception& problem) {
+        late_ = {};
+        lacking_ = false;
+        if (!dynamic_cast<const UsageError*>(&problem)) throw;
+        return false;  // it is told when the run itself comes there
     }
 }
 
@@ -119,7 +120,10 @@ void Session::stand_at(std::uint64_t step) {
 }
 
 void Session::advance(std::uint64_t steps) {
+    const std::size_t changes = line_.past().size();
     take_forward(steps);
+    if (line_.past().size() > changes)
+        lacking_ = with_samples_;  // where a run beside it makes one, its way ahead is cut
     if (line_.is_over()) {
         const bool goes_on = plays_backwards();
         stop();
@@ -184,6 +188,8 @@ void Session::catch_up(const std::function<bool()>& enough) {
             if (!follower->follow(line_, enough)) return;
         } catch (const UsageError&) {
             followers_.erase(follower);
+            late_ = {};
+            settle_swatch();
             throw;
         }
     }
@@ -231,6 +237,7 @@ void Session::stop() {
 void Session::step(std::int64_t steps) {
     playing_ = false;
     goal_.reset();
+    lacking_ = with_samples_;
     if (steps < 0) {
         line_.step_back(std::uint64_t{0} - static_cast<std::uint64_t>(steps));
     } else {
@@ -246,6 +253,7 @@ void Session::finish() {
 void Session::seek(std::uint64_t step) {
     goal_.reset();
     if (step == line_.step()) return;
+    lacking_ = with_samples_;  // runs beside the leading one may have less of the way ahead
     line_.turn_to(step);
     line_.advance(0);  // what was done at the step reached
     if (line_.step() != step) goal_ = step;

@@ -89,7 +89,7 @@ public:
     bool takes_samples() const { return with_samples_; }
     /// True if some may be lacking of where the runs were: of another particle, of before samples were taken, of a way
     /// that was taken again.
-    bool lacks_samples() const { return late_.has_value(); }
+    bool lacks_samples() const { return lacking_; }
     /// Takes those, until they are there or `enough` says so, by going the same way once more; true if there were some.
     /// Throws Interrupted.
     bool complete_samples(const std::function<bool()>& enough);
@@ -177,6 +177,7 @@ private:
     std::vector<FollowerRun> made(const Beside& wanted) const;
     FollowerRun follower(const RunDescription& description, std::size_t swatch) const;
     std::size_t free_swatch() const;
+    void settle_swatch();
     RunDescription at_cost(const RunDescription& description) const;
     void equalise_cost();
 
@@ -195,7 +196,8 @@ private:
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
     bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
-    std::optional<LateSamples> late_;  ///< while some may be lacking
+    LateSamples late_;
+    bool lacking_ = false;  ///< samples may be
     double magnified_ = 1;
     bool equal_cost_ = false;
     std::string not_equal_;            ///< why a run does not have the cost of the leading one; empty: all have

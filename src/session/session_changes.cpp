@@ -83,6 +83,7 @@ void Session::begin(const RunDescription& description, bool held) {
         leave(std::move(next), beside());
     }
     followers_ = std::move(followers);
+    settle_swatch();
     begun();
 }
 

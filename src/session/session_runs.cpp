@@ -60,6 +60,11 @@ std::size_t Session::free_swatch() const {
     return swatch;
 }
 
+/// Alone there is nothing to tell a run from.
+void Session::settle_swatch() {
+    if (followers_.empty()) swatch_ = 0;
+}
+
 void Session::add(const event::AddRun& wanted) {
     if (followers_.size() + 1 == most_runs)
         throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
@@ -130,7 +135,7 @@ void Session::remove(std::size_t run) {
         followers_.erase(followers_.begin());
     }
     not_equal_.clear();
-    if (followers_.empty()) swatch_ = 0;  // there is nothing to tell it from
+    settle_swatch();
 }
 
 }  // namespace steplab

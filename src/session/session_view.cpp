@@ -45,6 +45,7 @@ void Session::observe(SessionView& view) const {
         view.followers[i].frame.magnified = magnified_;
         view.followers[i].swatch = followers_[i].swatch();
         followers_[i].line().put_samples_into(view.followers[i].series);
+        late_.put_ahead_into(i, view.followers[i].series);
     }
     view.line = line_view();
     view.equal_cost = equal_cost_;

@@ -74,9 +74,9 @@ struct PlaybackView {
     double looked_through = 1;  ///< the part of the file in which frames were looked for so far
 };
 
-/// A recorded session that is played like a film: how many of its events happened.
+/// A recorded session that is played like a film.
 struct FilmView {
-    std::size_t handled = 0, events = 0;
+    double done = 0;  ///< the part of its steps
     friend bool operator==(const FilmView&, const FilmView&) = default;
 };
 

@@ -69,6 +69,7 @@ void TimeLine::take_steps(std::uint64_t steps) {
 
 void TimeLine::sample(bool on, std::optional<std::size_t> particle) {
     if (!on) return samples_.reset();
+    if (samples_ && samples_->followed() == particle && run_.step() > 0) return;  // the start may have become another
     if (!samples_) samples_.emplace(run_.particles());
     samples_->follow(particle);
     const bool changed_here = taken_ > 1 && changes_[taken_ - 1].step == run_.step();
@@ -80,17 +81,11 @@ void TimeLine::sample_as(const TimeLine& other) {
 }
 
 void TimeLine::take_samples(const TimeLine& same, std::uint64_t from) {
-    if (samples_ && same.samples_) samples_->take(*same.samples_, from);
+    if (samples_ && same.samples_) samples_->take(*same.samples_, from, reached_);
 }
 
-void TimeLine::append_samples(std::span<const Sample> samples, std::uint64_t until) {
-    const auto end = std::upper_bound(samples.begin(), samples.end(), until,
-                                      [](std::uint64_t step, const Sample& row) { return step < row.step; });
-    if (samples_) samples_->append({samples.begin(), end});
-}
-
-void TimeLine::forget_samples_ahead(std::uint64_t step) {
-    if (samples_) samples_->cut(std::min(step, reached_));
+void TimeLine::forget_samples_behind(std::uint64_t step) {
+    if (samples_) samples_->cut(step);
 }
 
 TimeLine TimeLine::again(std::size_t bytes) const {
@@ -259,7 +254,10 @@ std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t ke
     settle();
     const bool nothing = changes_.size() == kept && reached_ <= step;
     Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
-    if (samples_) branch.samples = samples_->cut(step);
+    if (samples_) {
+        branch.samples = samples_->cut(step);
+        branch.followed = samples_->followed();
+    }
     if (samples_ && step == 0) samples_->clear();  // the start may become another
     changes_.resize(kept);
     reached_ = step;
@@ -276,13 +274,14 @@ std::optional<TimeLine::Branch> TimeLine::undo() {
     return left;
 }
 
-std::optional<TimeLine::Branch> TimeLine::keep_changes(std::size_t count) {
-    if (count >= changes_.size()) return std::nullopt;
+void TimeLine::keep_changes(std::size_t count) {
+    if (count >= changes_.size()) return;
     const std::uint64_t step = changes_[count].step;
     const bool beyond = taken_ > count;
-    std::optional<Branch> left = cut(step, count);
-    if (beyond) stand_at(step, count);
-    return left;
+    cut(step, count);
+    if (!beyond) return;
+    go_back_to(moments_.before(step, count));
+    asked_ = run_.step();
 }
 
 std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
@@ -294,7 +293,7 @@ std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
     moments_.append(std::move(branch.moments));
     reached_ = branch.reached;
     reached_time_ = branch.reached_time;
-    if (samples_) samples_->append(branch.samples);
+    if (samples_) samples_->append(std::move(branch.samples), branch.followed);
     take_due_changes();
     return left;
 }

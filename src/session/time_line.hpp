@@ -75,7 +75,8 @@ public:
         std::uint64_t fork = 0;  ///< the step where it left the way that followed
         std::uint64_t reached = 0;
         double reached_time = 0;
-        std::vector<Sample> samples = {};  ///< behind the fork
+        std::vector<Sample> samples = {};          ///< behind the fork
+        std::optional<std::size_t> followed = {};  ///< the particle that they tell of
     };
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
@@ -88,9 +89,9 @@ public:
     /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then
     /// stands before them.
     std::optional<Branch> undo();
-    /// Takes away all changes but the first so many, and what lies behind the first of them; the run then stands there,
-    /// if it was beyond.
-    std::optional<Branch> keep_changes(std::size_t count);
+    /// Forgets all changes but the first so many, and what lies behind the first of them; the run then stands at a
+    /// moment before that, if it was beyond.
+    void keep_changes(std::size_t count);
     /// Goes over to that way: the run stands where the two part, behind the branch's change there. What is left is
     /// returned.
     std::optional<Branch> take(Branch branch);
@@ -101,12 +102,12 @@ public:
     void sample_as(const TimeLine& other);
     /// True if samples are taken, and one up to this step is not known.
     bool lacks_samples(std::uint64_t until) const { return samples_ && samples_->lack(until); }
-    /// Takes over those of a line that goes the same way, from this step on: those that are not known here.
+    /// Takes over those of a line that goes the same way, from this step on up to the last that this one was at: those
+    /// that are not known here.
     void take_samples(const TimeLine& same, std::uint64_t from);
-    /// The same of samples that it had, up to this step.
-    void append_samples(std::span<const Sample> samples, std::uint64_t until);
-    /// Forgets those of steps that it was not at, and those behind this step.
-    void forget_samples_ahead(std::uint64_t step);
+    std::span<const Sample> samples() const { return samples_ ? samples_->all() : std::span<const Sample>(); }
+    /// Forgets those behind this step.
+    void forget_samples_behind(std::uint64_t step);
     /// One that stands at the start and goes the same way, taking the same samples.
     TimeLine again(std::size_t bytes) const;
     /// Of this branch, also of what lies ahead. Empty if none are taken.

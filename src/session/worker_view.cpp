@@ -88,7 +88,7 @@ void Worker::Body::see() {
             view.followers[i].cost = session->followers()[i].line().cost();
     }
     view.film.reset();
-    if (film && !part) view.film = {film->handled(), film->events()};
+    if (film && !part) view.film = {film->done()};
     leading.run += runs_before;
     newest_run = leading.run;
     leading.error = error;

@@ -44,6 +44,10 @@ TEST(Swatches, stay_with_their_runs_whatever_happens_to_others) {
     session.handle(event::Lead{1});
     session.handle(event::Begin{chain("rk4")});
     EXPECT_EQ(swatches(session), "rk4 0");
+    session.handle(event::AddRun{chain("euler")});
+    session.handle(event::Lead{1});
+    session.handle(event::Change{run_of("mesh", "euler", Precision::double_, 0.1)});
+    EXPECT_EQ(swatches(session), "euler 0") << "alone on another scene";
 }
 
 TEST(Swatches, come_back_with_what_is_undone) {

@@ -18,8 +18,8 @@ constexpr std::string_view time_line_help =
     "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
     "click on the time to type one, or \"step 120\"";
 constexpr std::string_view film_help =
-    "a recorded session is played, and so much of what was done has happened; Space pauses it, and what you do takes "
-    "its place";
+    "a recorded session is played, so much of it so far\n"
+    "Space pauses it; what you do yourself ends it and goes on from here";
 constexpr std::string_view playback_help =
     "drag to go back and forth in the file\n"
     "click on the time to type one, or \"step 120\"";
@@ -136,12 +136,6 @@ double end_of_track(const TimeLineView& line, double reached) {
     return std::min(end, (1 + most_room) * reached);
 }
 
-/// "film 40 %"
-std::string film_text(const FilmView& film) {
-    const std::size_t all = std::max<std::size_t>(film.events, 1);
-    return fmt::format("film {} %", 100 * film.handled / all);
-}
-
 /// A drag takes the session along; it plays on where the button is released if it played before.
 void seek(const Context& context, double time) {
     auto& resume = context.state.plays_after_scrubbing;
@@ -165,8 +159,8 @@ void draw_time_line(const Context& context) {
     const StripWindow strip(context, "time line", area);
     const double now = context.view.frame.time, reached = std::max(now, context.session.line.reached_time);
     const double end = end_of_track(context.session.line, reached);
-    const bool film = context.session.film.has_value();
-    const std::string label = film ? film_text(*context.session.film) : "time line";
+    const auto& film = context.session.film;
+    const std::string label = film ? fmt::format("film {:.0f} %", std::floor(100 * film->done)) : "time line";
     const std::string end_text = with_unit(time_text(end, context.view.dt), "s");
     const bool over_mark = draw_marks(context, end, end_text);
     slider_row(context, {.widget = "time",

@@ -92,16 +92,17 @@ void error_plot(Plot& plot, const Context& context) {
 
 void momentum_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "|P - P0|", .unit = "kg m/s"};
-    add_runs(plot, context, [&context](const Sample& sample) {
-        return length(sample.momentum - context.view.series.samples.front().momentum);
-    });
+    const auto& samples = context.view.series.samples;
+    const Vec3 start = samples.empty() ? Vec3{} : samples.front().momentum;
+    if (samples.empty()) return;  // until the first one of the leading run is there
+    add_runs(plot, context, [start](const Sample& sample) { return length(sample.momentum - start); });
 }
 
 void spread_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "spread", .unit = "m"};
     plot.empty = "no ensemble beside the run";
     if (context.view.spread.samples.empty()) return;
-    Curve curve{.name = "largest"};
+    Curve curve{.name = "largest", .colour = context.view.swatch};
     for (const SpreadSample& sample : context.view.spread.samples) {
         curve.x.push_back(sample.time);
         curve.y.push_back(sample.largest);
