@@ -77,6 +77,14 @@ protected:
         session.handle(event::AddRun{chain("dopri5", GetParam())});
         return session;
     }
+    /// The last of its runs beside the leading one has diverged.
+    static Session with_diverged() {
+        Session session = begun(1, true);
+        session.handle(event::AddRun{with(chain("verlet", GetParam()), "dt", 3)});
+        session.handle(event::Step{3000});
+        complete(session);
+        return session;
+    }
     static void play(Session& session, std::int64_t steps = 12000) {
         session.handle(event::Step{300});
         session.handle(event::Change{with(session.run().description(), "dt", 0.05)});
@@ -200,10 +208,7 @@ TEST_P(Late, samples_of_a_branch_tell_of_the_particle_that_is_followed_now) {
 
 // As far as it is stopped in the middle.
 TEST_P(Late, samples_in_pieces_of_a_run_that_diverges_have_no_impossible_energies) {
-    Session session = begun(1, true);
-    session.handle(event::AddRun{with(chain("verlet", GetParam()), "dt", 3)});
-    session.handle(event::Step{3000});
-    complete(session);
+    Session session = with_diverged();
     const auto whole = samples_of(session);
     session.handle(event::Track{0});
     complete(session);
@@ -252,10 +257,7 @@ TEST_P(Late, samples_of_the_way_ahead_are_forgotten_where_another_way_is_taken) 
 }
 
 TEST_P(Late, samples_of_a_run_that_diverges_end_where_it_does) {
-    Session session = begun(1, true);
-    session.handle(event::AddRun{with(chain("verlet", GetParam()), "dt", 3)});
-    session.handle(event::Step{3000});
-    complete(session);
+    Session session = with_diverged();
     const auto whole = samples_of(session);
     ASSERT_TRUE(session.followers().back().run().divergence());
     session.handle(event::Track{0});

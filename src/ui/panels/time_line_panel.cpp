@@ -18,8 +18,8 @@ constexpr std::string_view time_line_help =
     "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
     "click on the time to type one, or \"step 120\"";
 constexpr std::string_view film_help =
-    "a recorded session is played, so much of it so far\n"
-    "Space pauses it; what you do yourself ends it and goes on from here";
+    "a recorded session is played; the label says how much of its steps is done\n"
+    "Space pauses it; what you do yourself ends it, and the run goes on from here";
 constexpr std::string_view playback_help =
     "drag to go back and forth in the file\n"
     "click on the time to type one, or \"step 120\"";
@@ -132,8 +132,9 @@ bool draw_marks(const Context& context, double end, std::string_view end_text) {
 double end_of_track(const TimeLineView& line, double reached) {
     constexpr double most_room = 0.25;  // in what was reached
     double end = reached;
-    for (const TimeLineView::Branch& branch : line.branches) end = std::max(end, branch.to);
-    return std::min(end, (1 + most_room) * reached);
+    for (const TimeLineView::Branch& branch : line.branches)
+        end = std::max(end, std::min(branch.to, (1 + most_room) * reached));
+    return end;
 }
 
 /// A drag takes the session along; it plays on where the button is released if it played before.

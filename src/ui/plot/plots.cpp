@@ -93,9 +93,9 @@ void error_plot(Plot& plot, const Context& context) {
 void momentum_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "|P - P0|", .unit = "kg m/s"};
     const auto& samples = context.view.series.samples;
-    const Vec3 start = samples.empty() ? Vec3{} : samples.front().momentum;
-    if (samples.empty()) return;  // until the first one of the leading run is there
-    add_runs(plot, context, [start](const Sample& sample) { return length(sample.momentum - start); });
+    if (samples.empty()) return;  // until the leading run has taken the first one
+    add_runs(plot, context,
+             [start = samples.front().momentum](const Sample& sample) { return length(sample.momentum - start); });
 }
 
 void spread_plot(Plot& plot, const Context& context) {
