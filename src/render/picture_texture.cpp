@@ -14,11 +14,15 @@ void PictureTexture::reserve(PictureSize size) {
     size_ = size;
 }
 
-void PictureTexture::upload(PictureSize size, std::span<const std::uint8_t> rgba) {
+void PictureTexture::upload(PictureSize size, std::span<const std::uint8_t> rgba) { upload(size, rgba, GL_RGBA); }
+
+void PictureTexture::upload(const TexturePixels& pixels) { upload(pixels.size, pixels.bytes, GL_BGRA); }
+
+void PictureTexture::upload(PictureSize size, std::span<const std::uint8_t> bytes, GLenum order) {
     reserve(size);
     glBindTexture(GL_TEXTURE_2D, texture_.id());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, order, GL_UNSIGNED_BYTE, bytes.data());
 }
 
 }  // namespace steplab::render

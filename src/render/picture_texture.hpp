@@ -5,8 +5,16 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace steplab::render {
+
+/// A picture as it lies in a PictureTexture, which drivers copy as it is: rows from the bottom, 4 bytes a pixel (blue,
+/// green, red, alpha).
+struct TexturePixels {
+    PictureSize size{0, 0};
+    std::vector<std::uint8_t> bytes = {};
+};
 
 /// A texture that holds a picture.
 class PictureTexture {
@@ -15,12 +23,15 @@ public:
     void reserve(PictureSize size);
     /// `rgba`: 4 bytes a pixel, in the order of the rows of the texture.
     void upload(PictureSize size, std::span<const std::uint8_t> rgba);
+    void upload(const TexturePixels& pixels);
 
     GLuint name() const { return texture_.id(); }
     /// 0 x 0 until it has one.
     PictureSize size() const { return size_; }
 
 private:
+    void upload(PictureSize size, std::span<const std::uint8_t> bytes, GLenum order);
+
     Texture texture_;
     PictureSize size_{0, 0};
 };

@@ -84,12 +84,23 @@ void RenderTarget::resolve(const PictureArea& area) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
 }
 
-std::vector<std::uint8_t> RenderTarget::read() const {
-    const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
-    std::vector<std::uint8_t> bytes(row * static_cast<std::size_t>(size_.height));
+/// Rows from the bottom, of pixels in this order.
+void RenderTarget::read_pixels(GLenum order, std::vector<std::uint8_t>& bytes) const {
+    bytes.resize(4 * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glReadPixels(0, 0, size_.width, size_.height, order, GL_UNSIGNED_BYTE, bytes.data());
+}
+
+void RenderTarget::copy_into(TexturePixels& pixels) const {
+    pixels.size = size_;
+    read_pixels(GL_BGRA, pixels.bytes);
+}
+
+std::vector<std::uint8_t> RenderTarget::read() const {
+    std::vector<std::uint8_t> bytes;
+    read_pixels(GL_RGBA, bytes);
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
     for (std::size_t top = 0, bottom = static_cast<std::size_t>(size_.height) - 1; top < bottom; ++top, --bottom) {
         const auto upper = bytes.begin() + static_cast<std::ptrdiff_t>(top * row);
         const auto lower = bytes.begin() + static_cast<std::ptrdiff_t>(bottom * row);

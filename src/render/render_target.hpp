@@ -35,8 +35,11 @@ public:
     void exchange(PictureTexture& texture);
     /// The finished picture as bytes: rows from the top, 4 bytes per pixel (red, green, blue, alpha).
     std::vector<std::uint8_t> read() const;
+    /// The same as a texture has it, reusing the memory there.
+    void copy_into(TexturePixels& pixels) const;
 
 private:
+    void read_pixels(GLenum order, std::vector<std::uint8_t>& bytes) const;
     void attach_texture();
 
     PictureSize size_;

@@ -59,6 +59,22 @@ TEST_F(SharedPicture, changes_places_with_textures_of_any_size) {
     expect_no_error();
 }
 
+TEST_F(SharedPicture, can_be_copied_instead_with_the_same_pixels) {
+    PictureTexture shown;
+    TexturePixels pixels;
+    for (const PictureSize size : {PictureSize{64, 36}, {31, 17}, {200, 100}}) {
+        RenderTarget target(size);
+        renderer().draw(particles_at({{0.3, 0.4, 0}}), {}, straight, target);
+        target.copy_into(pixels);
+        shown.upload(pixels);
+        PictureTexture drawn;
+        target.exchange(drawn);
+        EXPECT_EQ(shown.size(), size);
+        EXPECT_EQ(bytes_of(shown), bytes_of(drawn));
+    }
+    expect_no_error();
+}
+
 TEST_F(SharedPicture, fences_are_waited_for_once_set_and_otherwise_cost_nothing) {
     const RenderTarget target({64, 36});
     Fence fence;

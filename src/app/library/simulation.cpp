@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <dlfcn.h>
 #include <filesystem>
+#include <mutex>
 #include <steplab/simulation.hpp>
 #include <utility>
 
@@ -93,6 +94,8 @@ Picture Simulation::snapshot(const View& view) const {
         request.view = view_of(body_->run);
         if (!view.camera.empty()) request.camera = view.camera;
         request.size = {static_cast<int>(view.width), static_cast<int>(view.height)};
+        static std::mutex drawing;  // contexts of one driver may not draw at the same time: draws_on_several_threads()
+        const std::lock_guard lock(drawing);
         Offscreen offscreen("auto", modules_here());
         return Picture{view.width, view.height, offscreen.draw(request).rgba};
     });

@@ -1,9 +1,15 @@
 #include "app/window/painter.hpp"
 
+#include "app/cli/driver_needs.hpp"
+#include "app/offscreen/context.hpp"
 #include "app/shown_runs.hpp"
 #include "app/window/priority.hpp"
+#include "core/error.hpp"
+#include "render/gl.hpp"
 #include "render/motion.hpp"
 #include "render/scene_renderer.hpp"
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <utility>
@@ -12,18 +18,55 @@ namespace steplab {
 
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+/// The painter's context, current on its thread: one that shares textures, or one of a driver of its own.
+class CurrentContext {
+public:
+    explicit CurrentContext(std::optional<DrawingContext>& shared) : shared_(shared) {
+        shared_ ? shared_->make_current() : open_own();
+    }
+    ~CurrentContext() {
+        if (shared_) shared_->release();
+    }
+    CurrentContext(const CurrentContext&) = delete;
+    CurrentContext& operator=(const CurrentContext&) = delete;
+
+private:
+    void open_own() {
+        require_space_to_draw(driver_space);
+        try {
+            own_.emplace();
+        } catch (const GraphicsError& error) {
+            throw GraphicsError(
+                fmt::format("{}: Mesa's software renderer draws the scene through EGL, in the Debian "
+                            "packages libegl1 and libegl-mesa0",
+                            error.what()));
+        }
+    }
+
+    std::optional<DrawingContext>& shared_;
+    std::optional<OffscreenContext> own_;
+};
+
+}  // namespace
+
 /// The objects in the painter's context: the renderer and its target.
 class Painting {
 public:
+    /// `copies`: the window cannot have the textures.
+    explicit Painting(bool copies) : copies_(copies) {}
+
     /// Returns when the picture is complete: one that is shown unfinished would hold up the panels.
     void draw(const PaintJob& job) {
         if (!target_ || target_->size() != job.size) target_.emplace(job.size);
         const std::vector<render::ShownRun> runs = moment(job);
         renderer_.draw(runs, job.style, camera_at(*runs.front().frame, job), *target_);
-        render::Fence::after_commands().wait();
+        copies_ ? target_->copy_into(copied_) : render::Fence::after_commands().wait();
     }
     /// Puts the picture in the place of another one, and draws over that once it is not shown any more.
     void hand_over(Painted& picture) {
+        if (copies_) return std::swap(picture.copied, copied_);
         std::exchange(picture.shown, {}).delay_commands();
         target_->exchange(picture.texture);
     }
@@ -59,12 +102,15 @@ private:
         return camera;
     }
 
+    bool copies_;
+    render::TexturePixels copied_;
     std::vector<Frame> between_;  ///< by run; kept to reuse their memory
     render::SceneRenderer renderer_;
     std::optional<render::RenderTarget> target_;
 };
 
-ScenePainter::ScenePainter(const Window& window, void (*wake)()) : context_(window), wake_(wake) {
+ScenePainter::ScenePainter(const Window& window, void (*wake)()) : wake_(wake) {
+    if (render::draws_on_several_threads()) shared_.emplace(window);
     thread_ = std::thread([this] { work(); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return started_ || failure_; });
@@ -93,20 +139,23 @@ void ScenePainter::ask(const PaintJob& job) {
 }
 
 bool ScenePainter::take(Painted& picture) {
-    const std::lock_guard lock(mutex_);
-    if (failure_) std::rethrow_exception(failure_);
-    if (!fresh_) return false;
-    picture.shown = render::Fence::after_commands();
-    std::swap(picture, ready_);
-    fresh_ = false;
+    {
+        const std::lock_guard lock(mutex_);
+        if (failure_) std::rethrow_exception(failure_);
+        if (!fresh_) return false;
+        if (shared_) picture.shown = render::Fence::after_commands();
+        std::swap(picture, ready_);
+        fresh_ = false;
+    }
+    if (!shared_) picture.texture.upload(picture.copied);
     return true;
 }
 
 void ScenePainter::work() {
     lower_priority(ThreadWork::pictures);
-    context_.make_current();
     try {
-        Painting painting;
+        const CurrentContext context(shared_);
+        Painting painting(!shared_);
         {
             const std::lock_guard lock(mutex_);
             started_ = true;
@@ -119,7 +168,6 @@ void ScenePainter::work() {
     }
     changed_.notify_all();
     wake_();
-    context_.release();
 }
 
 /// Draws until the window closes.

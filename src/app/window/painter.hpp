@@ -31,9 +31,10 @@ struct PaintJob {
     friend bool operator==(const PaintJob&, const PaintJob&) = default;
 };
 
-/// A finished picture. Its texture belongs to the contexts of the window and of the painter alike.
+/// A finished picture. Its texture belongs to the context of the window, and to that of the painter if they share it.
 struct Painted {
     render::PictureTexture texture;
+    render::TexturePixels copied = {};             ///< it, where they do not
     render::Fence shown = {};                      ///< after all that the window has drawn with it
     double seconds = 0;                            ///< time to draw it
     int enlarged = 1;                              ///< as its style said
@@ -42,7 +43,8 @@ struct Painted {
 
 /// Draws the scene on its own thread and in its own OpenGL context, so that a slow picture never delays the panels.
 /// Only the newest job is drawn. The picture stays where it was drawn: one texture is shown, one is finished, and one
-/// is drawn, and they change places.
+/// is drawn, and they change places. Only where the driver is one for a single thread has the painter one of its own,
+/// and its pictures are copied.
 class ScenePainter {
 public:
     /// To be made and used while the context of the window is current. `wake` is called on the thread of the painter
@@ -56,6 +58,8 @@ public:
     /// has done with it. The new picture is complete: showing it waits for nothing. Throws the error that drawing it
     /// caused.
     bool take(Painted& picture);
+    /// True if pictures stay where they were drawn.
+    bool shares_textures() const { return shared_.has_value(); }
 
 private:
     void work();
@@ -63,7 +67,7 @@ private:
     std::optional<PaintJob> next_job();
     void finish(Painting& painting, const PaintJob& job, double seconds);
 
-    DrawingContext context_;
+    std::optional<DrawingContext> shared_;  ///< none: the painter has a driver of its own
     void (*wake_)();
     std::mutex mutex_;
     std::condition_variable changed_;

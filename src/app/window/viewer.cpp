@@ -298,6 +298,7 @@ void Viewer::report() {
     if (!trace_.wanted()) return;
     trace_.report(*view_);
     trace_.report(camera_);
+    trace_.report("textures", painter_.shares_textures() ? "shared" : "copied");
     trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
     trace_.report("focus", interface_.focused());
     trace_.report("colour", render::colour_word(view_->leading.frame, style_));
