@@ -1,5 +1,6 @@
 """Runs: the bits of the program, rows as arrays, interruption, divergence."""
 
+import concurrent.futures
 import os
 import signal
 import subprocess
@@ -200,6 +201,15 @@ class Pictures(unittest.TestCase):
             with open(other, "wb") as png:
                 png.write(picture._repr_png_())
             np.testing.assert_array_equal(np.rint(255 * imread(other)).astype(np.uint8), picture.pixels)
+
+    def test_is_the_same_where_several_threads_draw(self):
+        def picture_of(n):
+            return steplab.Simulation(Scene.model("chain", n=n)).snapshot(160, 90).pixels
+
+        sizes = [3, 4, 5, 6] * 5
+        with concurrent.futures.ThreadPoolExecutor(4) as threads:
+            for n, pixels in zip(sizes, threads.map(picture_of, sizes)):
+                np.testing.assert_array_equal(pixels, picture_of(n))
 
     def test_refuses_sizes_and_views(self):
         simulation = steplab.Simulation(Scene.model("chain"))

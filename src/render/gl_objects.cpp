@@ -57,12 +57,12 @@ void draw_bound_points(std::size_t first, std::size_t count) {
     // Each time its buffer is full, Mesa's software renderer goes over all vertices of the call: 32768 at once take a
     // fifth longer in a picture of 62 500 points.
     constexpr std::size_t most_at_once = 512;
-    // It does the work of other contexts, the panels' among them, between two such portions.
-    constexpr std::size_t before_others = 1 << 15;
+    // So many are rasterised by its threads while this one prepares the next.
+    constexpr std::size_t sent_at_once = 1 << 15;
     for (std::size_t begin = 0; begin < count; begin += most_at_once) {
         const std::size_t size = std::min(most_at_once, count - begin);
         glDrawArrays(GL_POINTS, static_cast<GLint>(first + begin), static_cast<GLsizei>(size));
-        if ((begin + size) % before_others == 0) glFlush();
+        if ((begin + size) % sent_at_once == 0) glFlush();
     }
 }
 

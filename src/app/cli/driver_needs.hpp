@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <sys/mman.h>
@@ -13,9 +14,11 @@
 namespace steplab {
 
 /// To be called before OpenGL is loaded. Mesa's software renderer waits for ever for threads that the system does not
-/// grant it: where there are too few, it is told to draw on the calling thread alone.
-inline void limit_driver_threads() {
-    const std::size_t wanted = processors() + 1;
+/// grant it: where there are too few, it is told to draw on the calling thread alone. Each of its `drivers` rasterises
+/// with one for each processor, and takes as many for other work if there are any left.
+inline void limit_driver_threads(std::size_t drivers = 1) {
+    constexpr std::size_t most = 32;  // of Mesa 22.3
+    const std::size_t wanted = (2 * drivers - 1) * std::min(processors(), most) + 1;
     if (Team(wanted).members() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }
 

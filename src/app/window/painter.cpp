@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <utility>
 
 namespace steplab {
@@ -110,7 +111,11 @@ private:
 };
 
 ScenePainter::ScenePainter(const Window& window, void (*wake)()) : wake_(wake) {
-    if (render::draws_on_several_threads()) shared_.emplace(window);
+    if (render::draws_on_several_threads()) {
+        shared_.emplace(window);
+    } else {
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // like the window: a card that EGL may find has perhaps no OpenGL 3.3
+    }
     thread_ = std::thread([this] { work(); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return started_ || failure_; });

@@ -9,7 +9,7 @@ enum class ThreadWork {
 };
 
 /// Lowers the priority of the calling thread, and of those that it starts from then on: the thread of the window, and
-/// the rasteriser of a software renderer, go before it.
+/// the rasteriser of its panels, go before it.
 void lower_priority(ThreadWork work);
 
 }  // namespace steplab

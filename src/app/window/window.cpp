@@ -41,7 +41,7 @@ void hint_core_profile() {
 WindowSystem::WindowSystem() {
     // Mesa's EGL would print to standard error which drivers it tried without success.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
-    limit_driver_threads();
+    limit_driver_threads(2);
     require_space_to_draw(driver_space);
     answer_display_loss();
     if (glfwInit() == GLFW_TRUE) return;
