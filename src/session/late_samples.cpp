@@ -14,15 +14,9 @@ constexpr std::uint64_t late_piece = 1 << 14, most_late_steps = 512;
 }  // namespace
 
 bool LateSamples::take(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough) {
-    if (all_) found_ = false;
-    all_ = take_all(leading, followers, enough);
-    return all_;
-}
-
-bool LateSamples::take_all(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough) {
+    found_ = false;
     if (!take(leading, enough)) return false;
     leading_again_.reset();
-    known_ = 0;
     again_.resize(followers.size());
     for (std::size_t i = 0; i < followers.size(); ++i) {
         if (!take(leading, followers[i], again_[i], enough)) return false;
@@ -41,8 +35,7 @@ bool LateSamples::take(TimeLine& leading, const std::function<bool()>& enough) {
         again.advance(std::min(most, leading.reached() - std::min(leading.reached(), again.run().advanced().step)));
         there = again.run().advanced().step >= leading.reached() || again.is_over();
     } while (!there && !enough());
-    leading.take_samples(again, known_);
-    known_ = again.run().advanced().step + 1;
+    leading.take_samples(again);
     found_ = true;
     return there;
 }
@@ -62,7 +55,7 @@ bool LateSamples::take(const TimeLine& leading, FollowerRun& follower, Again& ag
     const auto changes = leading.changes();
     const bool there = again.run->follow({changes, changes.size(), end}, enough);
     const TimeLine& known = again.run->line();
-    line.take_samples(known, 0);
+    line.take_samples(known);
     found_ = true;
     if (!there) return false;
     again.samples.assign(known.samples().begin(), known.samples().end());

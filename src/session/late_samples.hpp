@@ -4,7 +4,6 @@
 #include "session/time_line.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,7 +19,7 @@ class LateSamples {
 public:
     /// Goes on until `enough` says so; true if none is lacking any more. Throws UsageError, Interrupted.
     bool take(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough);
-    /// True if some were found since none was lacking.
+    /// True if some were found by the last call.
     bool found() const { return found_; }
     /// Adds those of the way ahead of a run beside the leading one to its own.
     void put_ahead_into(std::size_t follower, SampleSeries& series) const;
@@ -36,14 +35,12 @@ private:
         bool knows(double time) const { return until && (over || *until >= time); }
     };
 
-    bool take_all(TimeLine& leading, std::span<FollowerRun> followers, const std::function<bool()>& enough);
     bool take(TimeLine& leading, const std::function<bool()>& enough);
     bool take(const TimeLine& leading, FollowerRun& follower, Again& again, const std::function<bool()>& enough);
 
     std::optional<TimeLine> leading_again_;
-    std::uint64_t known_ = 0;  ///< samples of it before this step were handed over
     std::vector<Again> again_;
-    bool found_ = false, all_ = true;  ///< some were found; none is lacking
+    bool found_ = false;
 };
 
 }  // namespace steplab

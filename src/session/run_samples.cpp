@@ -13,8 +13,7 @@ Sample sample_of(const Simulation& run, std::optional<std::size_t> particle) {
     const Diagnostics measured = run.diagnostics();
     Sample sample = steplab::sample_of(run.step(), run.time(), measured);
     if (!particle || *particle >= run.particles()) return sample;
-    const State<double>& state = run.state();
-    sample.particle = {state.displacement.at(*particle), state.velocity.at(*particle)};
+    sample.particle = {run.displacement(*particle), run.state().velocity.at(*particle)};
     if (const auto exact = run.exact_position(*particle, run.time()))
         sample.particle->exact_displacement = *exact - run.shape()->rest[*particle];
     return sample;
@@ -53,10 +52,10 @@ void RunSamples::put(const Sample& sample) {
     if (wants(sample.step)) rows_.put(sample);
 }
 
-void RunSamples::take(const RunSamples& same, std::uint64_t from, std::uint64_t until) {
+void RunSamples::take(const RunSamples& same, std::uint64_t until) {
     rows_.thin_to(same.spacing());
     for (const Sample& sample : same.all()) {
-        if (sample.step >= from && sample.step <= until) put(sample);
+        if (sample.step <= until) put(sample);
     }
 }
 

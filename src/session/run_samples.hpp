@@ -17,7 +17,7 @@ namespace steplab {
 struct Sample {
     /// Of the particle that is followed.
     struct Particle {
-        Vec3 displacement;  ///< from its reference position [m]
+        Vec3 displacement;  ///< from its rest position, or its first one where it has none [m]
         Vec3 velocity;      ///< [m/s]
         std::optional<Vec3> exact_displacement = {};
     };
@@ -56,8 +56,8 @@ public:
     void take_again(const Simulation& run);
     /// Takes one, unless it is known or there are to be fewer.
     void put(const Sample& sample);
-    /// Takes over those of the same run of these steps that are not known, and is no denser than they are.
-    void take(const RunSamples& same, std::uint64_t from, std::uint64_t until);
+    /// Takes over those of the same run up to this step that are not known, and is no denser than they are.
+    void take(const RunSamples& same, std::uint64_t until);
     /// From now on a particle is followed; what is known of another one is forgotten.
     void follow(std::optional<std::size_t> particle);
     std::optional<std::size_t> followed() const { return particle_; }

@@ -80,8 +80,8 @@ void TimeLine::sample_as(const TimeLine& other) {
     sample(other.samples_.has_value(), other.samples_ ? other.samples_->followed() : std::nullopt);
 }
 
-void TimeLine::take_samples(const TimeLine& same, std::uint64_t from) {
-    if (samples_ && same.samples_) samples_->take(*same.samples_, from, reached_);
+void TimeLine::take_samples(const TimeLine& same) {
+    if (samples_ && same.samples_) samples_->take(*same.samples_, reached_);
 }
 
 void TimeLine::forget_samples_behind(std::uint64_t step) {

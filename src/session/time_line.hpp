@@ -102,9 +102,9 @@ public:
     void sample_as(const TimeLine& other);
     /// True if samples are taken, and one up to this step is not known.
     bool lacks_samples(std::uint64_t until) const { return samples_ && samples_->lack(until); }
-    /// Takes over those of a line that goes the same way, from this step on up to the last that this one was at: those
-    /// that are not known here.
-    void take_samples(const TimeLine& same, std::uint64_t from);
+    /// Takes over those of a line that goes the same way, up to the last step that this one was at: those that are not
+    /// known here.
+    void take_samples(const TimeLine& same);
     std::span<const Sample> samples() const { return samples_ ? samples_->all() : std::span<const Sample>(); }
     /// Forgets those behind this step.
     void forget_samples_behind(std::uint64_t step);

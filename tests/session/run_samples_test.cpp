@@ -1,5 +1,6 @@
 #include "session/run_samples.hpp"
 
+#include "io/scene_file.hpp"
 #include "session/session.hpp"
 #include "support/runs.hpp"
 
@@ -37,6 +38,40 @@ void expect_same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
         if (a[i].particle) {
             EXPECT_EQ(a[i].particle->displacement, b[i].particle->displacement);
             EXPECT_EQ(a[i].particle->velocity, b[i].particle->velocity);
+        }
+    }
+}
+
+/// Of every model, in both precisions, and of every scene that comes with the program.
+std::vector<RunDescription> all_runs() {
+    std::vector<RunDescription> runs;
+    for (const std::string& model : model_ids()) {
+        for (const Precision precision : precisions) runs.push_back(run_of(model, "rk4", precision, 0.01, {}));
+    }
+    for (const std::string& scene : shipped_scenes()) runs.push_back(describe(find_scene(scene)));
+    return runs;
+}
+
+// Also where particles have no places of their own and are counted from elsewhere; as the exact solution is told.
+TEST(RunSamples, tell_how_far_a_particle_is_from_where_it_belongs) {
+    for (const RunDescription& run : all_runs()) {
+        SCOPED_TRACE(run.model);
+        Session session(run);
+        const std::size_t last = session.run().particles() - 1;
+        session.handle(event::Track{last});
+        session.handle(event::ShowSamples{true});
+        session.advance(4);
+        SessionView view;
+        session.observe(view);
+        const Sample& now = view.leading.series.samples.back();
+        ASSERT_TRUE(now.particle);
+        const Frame& frame = view.leading.frame;
+        const Vec3 place = frame.positions[last], rest = frame.shape->rest[last];
+        const double rounding = run.precision == Precision::float_ ? 1e-7 : 1e-15;
+        const double digit = rounding * (length(place) + length(rest) + frame.shape->spacing);
+        EXPECT_LE(length(now.particle->displacement - (place - rest)), digit);
+        if (now.particle->exact_displacement) {
+            EXPECT_LE(length(now.particle->displacement - *now.particle->exact_displacement), *now.error + digit);
         }
     }
 }

@@ -192,6 +192,11 @@ Diagnostics Simulation::measured(const PortionSink& also) const {
 double Simulation::energy() const { return settled().energy().total(); }
 double Simulation::energy_error() const { return settled().energy_error(); }
 
+/// Counted from the reference position, which is elsewhere where particles have no rest position.
+Vec3 Simulation::displacement(std::size_t particle) const {
+    return state().displacement.at(particle) + (body_->segment.scene.reference.at(particle) - shape()->rest[particle]);
+}
+
 std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
     const ExactSolution* const exact = body_->exact();
     if (!exact || time > exact->valid_until()) return std::nullopt;

@@ -111,6 +111,8 @@ public:
     double rate_of_motion(double enough) const;
     /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
     const State<double>& state() const;
+    /// Of a particle from its place in shape()->rest [m], with all the digits the run has.
+    Vec3 displacement(std::size_t particle) const;
     /// The unchanging part of the scene; built when first asked for.
     std::shared_ptr<const Shape> shape() const;
     /// The forces in N on all particles at this moment, drag and damping included.
