@@ -71,9 +71,7 @@ std::string more_errors_text(const Compared& compared, const std::optional<doubl
                         *compared.phase_error < 0 ? "behind" : "ahead of");
     }
     const double rate = static_cast<double>(compared.evaluations) / compared.time;
-    if (compared.time > 0)
-        text += fmt::format("\n{} force evaluations per simulated second",
-                            rate < 1000 ? rounded_text(rate) : count_text(rate));
+    if (compared.time > 0) text += fmt::format("\n{} force evaluations per simulated second", frequency_text(rate));
     if (cost) text += fmt::format("\n{} ns of computing per simulated second", rounded_text(1e9 * *cost));
     return text;
 }

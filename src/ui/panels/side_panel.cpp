@@ -16,19 +16,22 @@ namespace {
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// "420", "1.9e6".
-std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : rounded_text(value); }
+/// Three digits at most, as the others change with every frame: "42", "12300", "1.93e6".
+std::string steady_rate(double rate) {
+    const double last = std::pow(10, std::floor(std::log10(rate)) - 2);
+    return frequency_text(std::round(rate / last) * last);
+}
 
-/// "1.9e6 steps/s · 7.6e6 force evaluations/s · 4.1 ms per frame"; values that are not known are left out. Lines break
+/// "12300 steps/s · 1.93e6 force evaluations/s · 4.1 ms per frame"; values that are not known are left out. Lines break
 /// between them only: the blanks within are such that do not break.
 std::string footer_text(const RunView& view, const Measured& measured) {
     std::string text;
     const auto add = [&](const std::string& value, const char* unit) {
         text.append(text.empty() ? "" : " · ").append(value).append("\u00a0").append(unit);
     };
-    if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second), "steps/s");
+    if (view.steps_per_second.value_or(0) > 0) add(steady_rate(*view.steps_per_second), "steps/s");
     if (view.evaluations_per_second.value_or(0) > 0)
-        add(frequency(*view.evaluations_per_second), "force\u00a0evaluations/s");
+        add(steady_rate(*view.evaluations_per_second), "force\u00a0evaluations/s");
     if (measured.frame_seconds) add(setting_text(1e3 * *measured.frame_seconds, 2), "ms\u00a0per\u00a0frame");
     return text;
 }
@@ -61,7 +64,7 @@ public:
 private:
     /// What is above stays where it is while rates come and go.
     static constexpr const char* longest_text =
-        "8.8e8\u00a0steps/s · 8.8e8\u00a0force\u00a0evaluations/s · 888\u00a0ms\u00a0per\u00a0frame";
+        "888888\u00a0steps/s · 888888\u00a0force\u00a0evaluations/s · 888\u00a0ms\u00a0per\u00a0frame";
 
     float height_of(const std::string& text) const {
         return std::round(ImGui::CalcTextSize(text.c_str(), nullptr, false, width_).y);

@@ -1,6 +1,7 @@
 #include "ui/panels/step_verdict.hpp"
 
 #include "core/number_text.hpp"
+#include "ui/widgets/format.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ std::string of_limit(double dt, double limit) {
 }
 
 std::string steps_text(double steps) {
-    const std::string number = rounded_text(steps);
+    const std::string number = frequency_text(steps);
     return fmt::format("{} {} per period", number, number == "1" ? "step" : "steps");
 }
 
@@ -59,7 +60,7 @@ std::string detail_of(double dt, const Basis& basis) {
     if (named)
         return fmt::format("{} of the limit, {}", share_text(dt / basis.limit),
                            damping_text(*basis.resolution, " per period"));
-    const std::string steps = rounded_text(basis.resolution->steps_per_period);
+    const std::string steps = frequency_text(basis.resolution->steps_per_period);
     return fmt::format("per period: {} {}, {}", steps, steps == "1" ? "step" : "steps",
                        damping_text(*basis.resolution, ""));
 }

@@ -114,7 +114,10 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, colour::card, context.px(4));
     const float left = box.x + context.px(5), top = box.y + context.px(1);
-    if (card.title > 0) text_left(left, top + 0.5f * card.title, plot.title, colour::text_faint);
+    if (card.title > 0) {
+        const std::string title = shortened(plot.title, box.right() - left - context.px(4));
+        text_left(left, top + 0.5f * card.title, title, colour::text_faint);
+    }
     const float half = 0.5f * line_height(context), offset = name_offset(context);
     for (const LegendPlace& place : card.places) {
         const float x = left + place.left, y = top + card.title + place.y;

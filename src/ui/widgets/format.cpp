@@ -32,6 +32,8 @@ std::string count_text(double count) {
     return std::abs(count) < 999'999.5 ? fmt::format("{:.0f}", count) : setting_text(count, 3);
 }
 
+std::string frequency_text(double often) { return often < 99.5 ? rounded_text(often) : count_text(often); }
+
 std::string error_text(double error) {
     const double size = std::abs(error);
     if (!(size >= 0.01 && size < 9.95)) return rounded_text(error);

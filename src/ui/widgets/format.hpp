@@ -17,6 +17,8 @@ std::string vector(Vec3 value);
 std::string time_text(double time, double dt);
 /// A count, in full up to 999 999: "12345"; larger ones with three digits, "1.23e6".
 std::string count_text(double count);
+/// How often something happens, a count that need not be whole: two digits below 100, from there on as count_text().
+std::string frequency_text(double often);
 /// An error, with two significant digits also where one is a zero: "0.10", "2.1e-7", "0".
 std::string error_text(double error);
 /// "1 step", "2 steps".

@@ -76,6 +76,7 @@ void draw_value(const Context& context, const SliderRow& row, float width) {
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     tooltip(context, row.tooltip);
     const ImU32 ink = ImGui::IsItemHovered() ? colour::bright : colour::text;
+    const WithFont font(font_with_room(context, row.value_text, width - context.px(10)));  // off the slider
     text_right(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y + 0.5f * height, row.value_text, ink);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace steplab::ui {
 namespace {
@@ -12,23 +13,16 @@ constexpr float widest_text = 300;  // units of the layout
 
 ImVec2 padding(const Context& context) { return {context.px(10), context.px(8)}; }
 
-ImVec2 size_of(const Context& context, std::string_view text) {
-    const ImFont& font = *context.theme.fonts().small;
-    const ImVec2 inside =
-        font.CalcTextSizeA(font.FontSize, 1e9f, context.px(widest_text), text.data(), text.data() + text.size());
+ImVec2 size_of(const Context& context, const std::string& lines) {
+    const ImVec2 inside = ImGui::CalcTextSize(lines.c_str());
     return {inside.x + 2 * padding(context).x, inside.y + 2 * padding(context).y};
 }
 
-void draw(const Context& context, ImVec2 corner, std::string_view text) {
+void draw(const Context& context, ImVec2 corner, const std::string& lines) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding(context));
     ImGui::SetNextWindowPos(corner);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(padding(context).x + context.px(widest_text));
-    {
-        const WithFont font(context.theme.fonts().small);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    }
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(lines.c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
@@ -51,9 +45,11 @@ ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float g
 
 void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text, Beside first) {
     if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
-    const ImVec2 size = size_of(context, text);
+    const WithFont font(context.theme.fonts().small);
+    const std::string lines = in_words(text, context.px(widest_text));
+    const ImVec2 size = size_of(context, lines);
     const ImVec2 corner = place_beside(item, size, ImGui::GetIO().DisplaySize, context.px(6), first);
-    draw(context, corner, text);
+    draw(context, corner, lines);
     context.mark("tooltip", {corner.x, corner.y, corner.x + size.x, corner.y + size.y});
 }
 

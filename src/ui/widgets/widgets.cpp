@@ -145,9 +145,6 @@ void changing_explanation(const Context& context, std::string_view text, int lin
     if (!padded.empty()) explanation(context, padded, ink);
 }
 
-namespace {
-
-/// The largest font in which a text has room, or the smallest one.
 ImFont* font_with_room(const Context& context, std::string_view text, float width) {
     const Fonts& fonts = context.theme.fonts();
     for (ImFont* const font : {fonts.body, fonts.small}) {
@@ -156,8 +153,6 @@ ImFont* font_with_room(const Context& context, std::string_view text, float widt
     }
     return fonts.tiny;
 }
-
-}  // namespace
 
 void row_label(const Context& context, std::string_view label, std::string_view what, float height) {
     const float width = row_places(context).control - ImGui::GetStyle().WindowPadding.x - context.px(6);

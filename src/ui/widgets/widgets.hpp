@@ -60,6 +60,8 @@ void explanation(const Context& context, std::string_view text, ImU32 ink = colo
 int lines_of_explanation(const Context& context, std::string_view text);
 /// A paragraph that changes while a run goes on: of at least so many lines, so that what is below stays where it is.
 void changing_explanation(const Context& context, std::string_view text, int lines, ImU32 ink = colour::text_dim);
+/// The largest font in which a text has room, or the smallest one.
+ImFont* font_with_room(const Context& context, std::string_view text, float width);
 /// The label of a row, vertically centred; `height` 0: that of a row with a slider.
 void row_label(const Context& context, std::string_view label, std::string_view tooltip, float height = 0);
 /// "kinetic          0.213 J"

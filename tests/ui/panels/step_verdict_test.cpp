@@ -83,6 +83,7 @@ TEST(step_verdict, is_of_the_scene_as_it_is_now) {
 
 TEST(step_verdict, says_what_a_period_costs_the_amplitude) {
     EXPECT_EQ(verdict("chain", "velocity-verlet", 0.1).detail, "per period: 32 steps, amplitude kept");
+    EXPECT_EQ(verdict("chain", "velocity-verlet", 0.001).detail, "per period: 3185 steps, amplitude kept");
     EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("0.70 of the limit, amplitude −"));
     EXPECT_EQ(verdict("chain", "implicit-midpoint", 1.5).detail, "amplitude kept");
     EXPECT_THAT(verdict("chain", "midpoint", 0.3).detail, HasSubstr("amplitude +"));

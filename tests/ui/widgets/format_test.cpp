@@ -59,6 +59,14 @@ TEST(format, counts_are_shown_in_full_up_to_a_million) {
     EXPECT_EQ(count_text(1'234'567), "1.23e6");
 }
 
+TEST(format, frequencies_have_two_digits_and_large_ones_are_counts) {
+    EXPECT_EQ(frequency_text(0.123), "0.12");
+    EXPECT_EQ(frequency_text(31.85), "32");
+    EXPECT_EQ(frequency_text(99.6), "100");
+    EXPECT_EQ(frequency_text(3185.05), "3185");
+    EXPECT_EQ(frequency_text(1'234'567), "1.23e6");
+}
+
 TEST(format, errors_have_two_significant_digits) {
     EXPECT_EQ(error_text(0.1), "0.10");
     EXPECT_EQ(error_text(0.31), "0.31");

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 namespace steplab::ui {
 namespace {
 
@@ -74,6 +77,23 @@ TEST(tooltip, of_a_plot_does_not_cover_the_curves) {
     desk.frame();
     ASSERT_TRUE(desk.has("tooltip"));
     EXPECT_FALSE(overlap(desk.widget("tooltip"), desk.widget("displacement")));
+}
+
+// A number is not torn apart at its decimal point.
+TEST(tooltip, breaks_its_lines_at_blanks_alone) {
+    Desk desk;
+    desk.frame();
+    const std::string text = "stability limit 1.43 s, ω_max 1.97 rad/s; at rest: 0.5 (2.5e-3)";
+    const auto width_of = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
+    for (float width = 5; width < width_of(text) + 20; width += 7) {
+        std::istringstream lines(in_words(text, width));
+        std::string joined;
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_TRUE(width_of(line) <= width || line.find(' ') == std::string::npos) << line;
+            joined += (joined.empty() ? "" : " ") + line;
+        }
+        EXPECT_EQ(joined, text) << width;
+    }
 }
 
 // The words that an item shows are explained below what its tooltip says.
