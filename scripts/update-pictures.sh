@@ -81,7 +81,7 @@ say "docs/images/comet.gif: four methods on an ellipse"
 start_display 1280x800
 say "docs/images/scenes.png: the page of scenes"
 open_window --model rope
-xdotool key ctrl+o; expect 'widget scenes.path [0-9].*'; sleep 3 # the pictures are read meanwhile
+xdotool mousemove 1270 790 key ctrl+o; expect 'widget scenes.path [0-9].*'; sleep 3 # the pictures are read meanwhile
 ffmpeg -v error -f x11grab -video_size 1280x800 -i "$DISPLAY" -frames:v 1 -y "$images/scenes.png" # the page has no key for it
 close_window
 rm "$folder/trace"
