@@ -112,6 +112,11 @@ TEST_P(Late, samples_of_before_plots_were_shown_are_those_of_a_session_that_alwa
     session.handle(event::ShowSamples{true});
     complete(session);
     expect_same(samples_of(session), samples_of(always));
+    Session alone(chain("rk4", GetParam()));
+    alone.handle(event::Step{10});
+    alone.handle(event::ShowSamples{true});
+    EXPECT_TRUE(alone.complete_samples([] { return false; })) << "they are to be shown";
+    EXPECT_FALSE(alone.complete_samples([] { return false; }));
 }
 
 TEST_P(Late, samples_are_taken_piece_by_piece_while_the_session_goes_on) {
