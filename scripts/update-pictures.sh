@@ -57,6 +57,8 @@ picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 100
 picture runs-ghosts --model rope --dt 0.005 --until 3.5 --run method=rk4 --run method=euler-forward --size 800x500
 picture runs-split --model morse --dt 0.02 --until 12 --run method=rk4 --run method=verlet --run method=euler --run method=dopri5 \
     --layout split --ui on --size 1280x800
+picture phase-portraits --model oscillator --until 20 --run method=velocity-verlet,dt=0.4 --run method=rk4,dt=0.4 \
+    --run method=euler-forward,dt=0.02 --ui on --plots phase-portrait,energy-error --size 1280x800
 picture verdict --model rope --method velocity-verlet --dt 0.05 --steps 40 --ui on --size 1280x800 --background light \
     --colour strain
 picture panel-tabs --model chain --until 20 --run method=rk4 --run method=euler --ui on --size 640x480 --scale 1
@@ -93,10 +95,14 @@ xdotool key b; expect 'bookmarks 1'
 enter dt 0.1; expect 'branches 1'
 click play; expect 'step 14[0-9]'; click play; expect 'playing false'
 window_picture time-line
-say "docs/images/speed-against-error.png: plots of three runs"
-open_window --model chain --run method=velocity-verlet,dt=0.2 --run method=rk4,dt=0.2 --run method=euler-forward,dt=0.002 \
-    --speed 4 --play
-expect 'step 1[0-9][0-9]'; click play; expect 'playing false'
+say "docs/images/lesson.png: a lesson that was done"
+open_window --lesson order-is-not-accuracy --size 1280x800
+click lesson.do; expect 'playing true'; expect 'playing false'
+xdotool mousemove 640 200; sleep 1
+window_picture lesson
+say "docs/images/speed-against-error.png: plots of three runs of a scene file"
+open_window --scene kepler-ellipse --run method=velocity-verlet,dt=0.02 --run method=rk4,dt=0.05 --run method=dop853 --speed 4 --play
+expect 'step 3[0-9][0-9]'; click play; expect 'playing false'
 choose 'plot 2' 'speed against error'; expect 'costs complete'
 xdotool mousemove 640 200; sleep 1
 window_picture speed-against-error

@@ -49,8 +49,8 @@ Sample sample_of(const RunView& view) {
     Sample sample = sample_of(view.frame.step, view.frame.time, view.diagnostics);
     if (!view.tracked) return sample;
     const auto& [particle, displacement, exact] = *view.tracked;
-    const bool known = particle < view.frame.velocities.size();
-    sample.particle = {displacement, known ? view.frame.velocities[particle] : Vec3{}, exact};
+    if (particle < view.frame.velocities.size())
+        sample.particle = {displacement, view.frame.velocities[particle], exact};
     return sample;
 }
 

@@ -14,7 +14,8 @@ using testing::HasSubstr;
 PictureRequest request_of(std::string_view model, bool panel = false) {
     Simulation simulation(describe(model));
     PictureRequest request;
-    request.past.push_back({.leading = view_of(simulation, 1)});
+    const RunView start = view_of(simulation, 1);
+    request.past.push_back({.leading = start, .sample = sample_of(start)});
     simulation.advance(10);
     request.view = view_of(simulation, 1);
     request.panel = panel;

@@ -101,7 +101,9 @@ void PicturedRuns::take_samples(std::uint64_t step) {
 }
 
 PastMoment PicturedRuns::moment() {
-    PastMoment moment{.leading = without_particles(view_of(runs_.front().simulation, particle_))};
+    RunView now = view_of(runs_.front().simulation, particle_);
+    const Sample sample = sample_of(now);
+    PastMoment moment{.leading = without_particles(std::move(now)), .sample = sample};
     if (runs_.size() == 1) return moment;
     for (std::size_t i = 1; i < runs_.size(); ++i)
         moment.followers.push_back(sample_of(view_of(runs_[i].simulation, particle_)));

@@ -18,6 +18,7 @@ namespace steplab {
 /// What plots show of runs at an earlier time of the leading one.
 struct PastMoment {
     RunView leading;                           ///< without its particles
+    Sample sample = {};                        ///< of it
     std::vector<Sample> followers = {};        ///< of the runs beside it
     std::optional<SessionErrors> errors = {};  ///< of all of them
 };

@@ -86,7 +86,7 @@ private:
     void record(const PastMoment& moment) {
         interface_.record(moment.leading);
         add_errors(moment.leading.frame.step, moment.errors);
-        view_.leading.series.samples.push_back(sample_of(moment.leading));
+        view_.leading.series.samples.push_back(moment.sample);
         for (std::size_t i = 0; i < moment.followers.size(); ++i) add(i, moment.followers[i]);
     }
 
