@@ -49,14 +49,21 @@ std::vector<LegendMark> marks_of_column(const ColourScale& scale) {
     return marks;
 }
 
+/// Whether the area has a part of a box of this size.
+bool touches(const PictureArea& area, PixelPoint low, PixelPoint size) {
+    return low.x < area.left + area.size.width && low.x + size.x > area.left && low.y < area.top + area.size.height &&
+           low.y + size.y > area.top;
+}
+
 }  // namespace
 
-void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, PictureSize picture,
-                   const Palette& palette) {
+void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const PictureArea& texts,
+                   PictureSize picture, const Palette& palette) {
     constexpr double legible = 0.5;  // a fainter text is not drawn: no text is half there
     for (const AxisLabel& label : axes.labels) {
         const PixelPoint size = sketch.text_size(label.text);
         const PixelPoint low{label.centre.x - size.x / 2, label.centre.y - size.y / 2};
+        if (touches(texts, low, size)) continue;
         const double in_the_way = taken.taken(low, {low.x + size.x, low.y + size.y});
         if (label.strength * (1 - in_the_way) < legible) continue;
         sketch.text_over(low, label.text, palette.text, backdrop_at(palette, 1 - label.centre.y / picture.height));

@@ -13,9 +13,10 @@ namespace steplab::render {
 
 /// Texts and symbols over a picture of a scene. Each function adds to the sketch.
 
-/// Numbers and titles of the axes in a picture of this size, but those on particles and of axes that are too short.
-void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, PictureSize picture,
-                   const Palette& palette);
+/// Numbers and titles of the axes in a picture of this size, but those on particles, under the texts in `texts`, and of
+/// axes that are too short.
+void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const PictureArea& texts,
+                   PictureSize picture, const Palette& palette);
 /// The small xyz cross at the lower left, and its mark that keeps labels away.
 void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale);
 /// The part of the picture in which the cross is.

@@ -65,7 +65,6 @@ std::vector<PictureArea> PanelChanges::take(const ImDrawData& data, const Pictur
     rows_ = (size.height + side - 1) / side;
     now_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
     for (int i = 0; i < data.CmdListsCount; ++i) add_list(*data.CmdLists[i], data);
-    differs_ = seen_ != now_;
     std::vector<PictureArea> areas;
     for (const PictureArea& area : changed_areas()) add_outside(areas, area, covered);
     seen_.swap(now_);

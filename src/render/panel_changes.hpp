@@ -20,8 +20,6 @@ public:
     /// The changed areas, in pixels of the picture, no two of which share one; all of it for the first data, and where
     /// its size changed. What lies in `covered`, over which something else is drawn, is left out.
     std::vector<PictureArea> take(const ImDrawData& data, const PictureArea& covered);
-    /// Whether the last data looks otherwise than the data before it, also where it is covered.
-    bool differs() const { return differs_; }
     /// The next data is as the first.
     void forget() { seen_.clear(); }
 
@@ -39,7 +37,6 @@ private:
 
     PictureSize size_{0, 0};
     int columns_ = 0, rows_ = 0;
-    bool differs_ = false;
     std::vector<std::uint64_t> seen_, now_;  ///< of each tile, row by row
 };
 

@@ -285,9 +285,9 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
     if (!has_room_for_lines(size, style.pixel_scale)) return;
     sketch.begin(size, style.pixel_scale);
     const bool in_full = has_room(size, style.pixel_scale);
-    if (in_full && style.grid) sketch_labels(sketch, flat.axes, flat.taken, size, colours);
     const PictureArea room = run_lines_area(size, flat.layout, flat.lines.size(), style.pixel_scale);
     const PictureArea texts = sketch_run_lines(sketch, flat.lines, room, colours, style.pixel_scale);
+    if (in_full && style.grid) sketch_labels(sketch, flat.axes, flat.taken, texts, size, colours);
     const bool over_cross = !flat.lines.empty() && shared_part(room, cross_area(size, style.pixel_scale));
     if (in_full && style.grid && !over_cross) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
     const bool above = texts.top < size.height / 2;

@@ -1,5 +1,7 @@
 #include "render/run_labels.hpp"
 
+#include "render/gl.hpp"
+#include "render/overlay.hpp"
 #include "render/scenes.hpp"
 #include "render/split.hpp"
 #include "render/studio.hpp"
@@ -70,6 +72,26 @@ TEST_F(RunLabels, of_short_names_are_whole) {
     };
     EXPECT_LT(width("rk4"), width("rk4, dt 0.1 s"));
     EXPECT_LT(width("rk4, dt 0.1 s"), width("rk4, dt 0.1 s, double"));
+}
+
+TEST_F(RunLabels, are_not_drawn_over_names_of_axes) {
+    const PictureSize size{200, 100};
+    const Axes axes{{}, {{"x [m]", {100, 50}, 1}}};
+    const auto drawn = [&](const PictureArea& texts) {
+        const RenderTarget target(size);
+        target.bind_picture();
+        glClear(GL_COLOR_BUFFER_BIT);
+        Sketch sketch;
+        sketch.begin(size, 1);
+        sketch_labels(sketch, axes, Occupancy(size), texts, size, palette(Background::dark));
+        sketch.finish({size}, size);
+        return target.read();
+    };
+    const auto nothing = drawn({0, 0, size});
+    EXPECT_NE(drawn({0, 0, {0, 0}}), nothing);
+    EXPECT_EQ(drawn({100, 40, {50, 20}}), nothing) << "half of it";
+    EXPECT_NE(drawn({100, 70, {50, 20}}), nothing) << "below it";
+    EXPECT_NE(drawn({140, 40, {50, 20}}), nothing) << "right of it";
 }
 
 TEST(run_labels, have_a_part_of_their_own_beside_the_read_out_and_the_cross) {

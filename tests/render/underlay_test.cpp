@@ -87,14 +87,14 @@ TEST_F(Underlays, pictures_that_differ_are_told_apart) {
 }
 
 const PictureSize size{320, 180};
-const Projection straight({{0, 0, 0}, 4, 0, 0}, size);
+const Projection ahead({{0, 0, 0}, 4, 0, 0}, size);
 
 TEST(SeenArea, holds_the_pixels_of_a_box_and_its_margin) {
     const Bounds box{{-0.5, -0.2, -0.3}, {0.4, 0.3, 0.5}};
-    const auto area = seen_area(box, straight, 3);
+    const auto area = seen_area(box, ahead, 3);
     ASSERT_TRUE(area);
     for (const Vec3& corner : box.corners()) {
-        const PixelPoint pixel = *straight.pixel(corner);
+        const PixelPoint pixel = *ahead.pixel(corner);
         EXPECT_LE(area->left, pixel.x - 3);
         EXPECT_LE(area->top, pixel.y - 3);
         EXPECT_GE(area->left + area->size.width, pixel.x + 3);
@@ -104,21 +104,21 @@ TEST(SeenArea, holds_the_pixels_of_a_box_and_its_margin) {
 }
 
 TEST(SeenArea, is_cut_at_the_edges_of_the_picture) {
-    const auto area = seen_area({{-100, -0.1, 0}, {0, 0.1, 0}}, straight, 2);
+    const auto area = seen_area({{-100, -0.1, 0}, {0, 0.1, 0}}, ahead, 2);
     ASSERT_TRUE(area);
     EXPECT_EQ(area->left, 0);
     EXPECT_NEAR(area->size.width, size.width / 2, 3);  // the middle and the margin
 }
 
 TEST(SeenArea, of_a_box_outside_is_none) {
-    EXPECT_FALSE(seen_area({{50, 0, 0}, {51, 1, 0}}, straight, 2));
-    EXPECT_TRUE(seen_area({{-0.1, 0, 0}, {0.1, 1, 0}}, straight, 2));
+    EXPECT_FALSE(seen_area({{50, 0, 0}, {51, 1, 0}}, ahead, 2));
+    EXPECT_TRUE(seen_area({{-0.1, 0, 0}, {0.1, 1, 0}}, ahead, 2));
 }
 
 TEST(SeenArea, is_all_of_the_picture_where_a_box_reaches_behind_the_camera) {
     const PictureArea all{0, 0, size};
-    EXPECT_EQ(seen_area({{-0.1, -0.1, -1}, {0.1, 0.1, 9}}, straight, 2), all);
-    EXPECT_EQ(seen_area({{NAN, 0, 0}, {0, 0, 0}}, straight, 2), all);
+    EXPECT_EQ(seen_area({{-0.1, -0.1, -1}, {0.1, 0.1, 9}}, ahead, 2), all);
+    EXPECT_EQ(seen_area({{NAN, 0, 0}, {0, 0, 0}}, ahead, 2), all);
 }
 
 }  // namespace

@@ -134,13 +134,15 @@ ScenePainter::~ScenePainter() {
     thread_.join();
 }
 
-void ScenePainter::ask(const PaintJob& job) {
+bool ScenePainter::ask(const PaintJob& job, Clock::time_point now) {
     {
         const std::lock_guard lock(mutex_);
-        if (last_ == job) return;
-        last_ = asked_ = job;
+        if (last_ == job) return false;
+        last_ = job;
+        asked_ = Request{job, now};
     }
     changed_.notify_all();
+    return true;
 }
 
 bool ScenePainter::take(Painted& picture) {
@@ -177,28 +179,29 @@ void ScenePainter::work() {
 
 /// Draws until the window closes.
 void ScenePainter::draw_jobs(Painting& painting) {
-    while (const auto job = next_job()) {
+    while (const auto request = next_request()) {
         const auto begin = Clock::now();
-        painting.draw(*job);
-        finish(painting, *job, std::chrono::duration<double>(Clock::now() - begin).count());
+        painting.draw(request->job);
+        finish(painting, *request, std::chrono::duration<double>(Clock::now() - begin).count());
     }
 }
 
-/// Waits for a job; none when the painter has to stop.
-std::optional<PaintJob> ScenePainter::next_job() {
+/// Waits for one; none when the painter has to stop.
+std::optional<ScenePainter::Request> ScenePainter::next_request() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopping_ || asked_; });
     if (stopping_) return std::nullopt;
     return std::exchange(asked_, std::nullopt);
 }
 
-void ScenePainter::finish(Painting& painting, const PaintJob& job, double seconds) {
+void ScenePainter::finish(Painting& painting, const Request& request, double seconds) {
     {
         const std::lock_guard lock(mutex_);
         painting.hand_over(ready_);
+        ready_.requested = request.time;
         ready_.seconds = seconds;
-        ready_.enlarged = job.style.enlarged;
-        ready_.view = job.view;
+        ready_.enlarged = request.job.style.enlarged;
+        ready_.view = request.job.view;
         fresh_ = true;
     }
     wake_();

@@ -8,6 +8,7 @@
 #include "render/style.hpp"
 #include "session/session_view.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <memory>
@@ -34,11 +35,12 @@ struct PaintJob {
 /// A finished picture. Its texture belongs to the context of the window, and to that of the painter if they share it.
 struct Painted {
     render::PictureTexture texture;
-    render::TexturePixels copied = {};             ///< it, where they do not
-    render::Fence shown = {};                      ///< after all that the window has drawn with it
-    double seconds = 0;                            ///< time to draw it
-    int enlarged = 1;                              ///< as its style said
-    std::shared_ptr<const SessionView> view = {};  ///< that it shows
+    render::TexturePixels copied = {};                  ///< it, where they do not
+    render::Fence shown = {};                           ///< after all that the window has drawn with it
+    std::chrono::steady_clock::time_point requested{};  ///< as ask() was told
+    double seconds = 0;                                 ///< time to draw it
+    int enlarged = 1;                                   ///< as its style said
+    std::shared_ptr<const SessionView> view = {};       ///< that it shows
 };
 
 /// Draws the scene on its own thread and in its own OpenGL context, so that a slow picture never delays the panels.
@@ -52,8 +54,8 @@ public:
     ScenePainter(const Window& window, void (*wake)());
     ~ScenePainter();
 
-    /// Requests a picture, unless it equals the last request.
-    void ask(const PaintJob& job);
+    /// Requests a picture at this time, unless it equals the last request: false, then.
+    bool ask(const PaintJob& job, std::chrono::steady_clock::time_point now);
     /// Swaps the newest picture into `picture` if it was not taken yet; what was there is drawn over once the window
     /// has done with it. The new picture is complete: showing it waits for nothing. Throws the error that drawing it
     /// caused.
@@ -64,15 +66,19 @@ public:
 private:
     void work();
     void draw_jobs(Painting& painting);
-    std::optional<PaintJob> next_job();
-    void finish(Painting& painting, const PaintJob& job, double seconds);
+    struct Request {
+        PaintJob job;
+        std::chrono::steady_clock::time_point time;
+    };
+    std::optional<Request> next_request();
+    void finish(Painting& painting, const Request& request, double seconds);
 
     std::optional<DrawingContext> shared_;  ///< none: the painter has a driver of its own
     void (*wake_)();
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<PaintJob> asked_;  ///< newest job, not started yet
-    std::optional<PaintJob> last_;   ///< last request
+    std::optional<Request> asked_;  ///< newest one, not started yet
+    std::optional<PaintJob> last_;  ///< last request
     bool stopping_ = false;
     bool fresh_ = false;
     bool started_ = false;

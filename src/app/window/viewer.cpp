@@ -24,8 +24,6 @@ constexpr int frames_after_input = 3;
 constexpr double slow_picture = 0.05;
 // More would take seconds where the processor draws; the picture says what it leaves out.
 constexpr std::size_t most_dots = 2'000'000;
-// A camera that has not moved for so long is at rest.
-constexpr std::chrono::duration<double> time_to_rest{0.3};
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -126,7 +124,7 @@ void Viewer::take_news() {
         counted_.took_picture();
         measured_.frame_seconds = painted_.seconds;
         coarseness_.took(painted_.enlarged, painted_.seconds);
-        if (std::exchange(was_moved_, false) && painted_.enlarged > 1) moved_ = Clock::now();  // for the next movement
+        movement_.pictured(painted_.requested, painted_.enlarged > 1, Clock::now());
         if (delayed_) save_snapshot(*std::exchange(delayed_, std::nullopt));
         frames_wanted_ = std::max(frames_wanted_, 1);
         urgent_ = true;
@@ -234,7 +232,7 @@ void Viewer::draw_frame() {
     if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
-    change_ = std::min(change_, rest_);
+    if (coarse_) change_ = std::min(change_, movement_.rest());
     report();
 }
 
@@ -267,7 +265,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
     job.style.most_dots = film_ ? 0 : most_dots;
     const auto pixels = [&](int length) { return (length + job.style.enlarged - 1) / job.style.enlarged; };
     job.size = {pixels(scene.width), pixels(scene.height)};
-    painter_.ask(job);
+    movement_.requested(now, painter_.ask(job, now));
     if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
@@ -277,13 +275,9 @@ int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
     const bool follows = interface_.following() != render::Following::nothing;
     const bool moved = follows ? !same_direction(before, camera_) : before != camera_;
     const bool same_place = std::exchange(asked_scene_, scene) == scene;  // else the camera was moved to suit it
-    if ((moved && same_place) || interface_.is_dragging()) {
-        moved_ = now;
-        was_moved_ = true;
-    }
-    const Clock::time_point rest = moved_ + std::chrono::duration_cast<Clock::duration>(time_to_rest);
-    const int enlarged = delayed_ || film_ ? 1 : coarseness_.next(now < rest);  // in full to be saved
-    rest_ = enlarged > 1 ? rest : Clock::time_point::max();
+    if ((moved && same_place) || interface_.is_dragging()) movement_.seen(now);
+    const int enlarged = delayed_ || film_ ? 1 : coarseness_.next(movement_.goes_on(now));  // in full to be saved
+    coarse_ = enlarged > 1;
     return enlarged;
 }
 

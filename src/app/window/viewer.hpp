@@ -17,6 +17,7 @@
 #include "ui/coarseness.hpp"
 #include "ui/glide.hpp"
 #include "ui/interface.hpp"
+#include "ui/movement.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -110,15 +111,14 @@ private:
     bool under_way_ = false;                ///< to that step
     ui::Measured measured_;
     ui::Coarseness coarseness_;
-    render::Camera asked_camera_;                        ///< of the last picture
-    ui::PixelRect asked_scene_;                          ///< its place
-    bool was_moved_ = false;                             ///< since the picture that is shown was taken
-    std::optional<ui::Request> delayed_;                 ///< to save a picture, once the scene is drawn in full
-    Clock::time_point rest_ = Clock::time_point::max();  ///< when the picture is due to be drawn in full
-    Clock::time_point moved_{};                          ///< when the camera or what is dragged was last seen to move
-    Clock::time_point drawn_ = Clock::now();             ///< when the last frame began
-    Clock::time_point shown_ = drawn_;  ///< when the last one began that looks otherwise than the one before
-    bool urgent_ = false;               ///< input or a picture waits for the next frame
+    ui::Movement movement_;
+    render::Camera asked_camera_;             ///< of the last picture
+    ui::PixelRect asked_scene_;               ///< its place
+    bool coarse_ = false;                     ///< the last request was
+    std::optional<ui::Request> delayed_;      ///< to save a picture, once the scene is drawn in full
+    Clock::time_point drawn_ = Clock::now();  ///< when the last frame began
+    Clock::time_point shown_ = drawn_;        ///< when the last one began that looks otherwise than the one before
+    bool urgent_ = false;                     ///< input or a picture waits for the next frame
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;
     std::unique_ptr<FilmRecorder> film_;  ///< that is taken, or completed

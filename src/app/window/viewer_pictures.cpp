@@ -57,7 +57,7 @@ WindowPicture::Shot Viewer::shot(const ui::PixelRect& plot, bool even) {
 
 void Viewer::save_snapshot(const ui::Request& request) {
     if (painted_.enlarged > 1) {  // of the picture in full, which is drawn now
-        moved_ = {};
+        movement_.end();
         delayed_ = request;
         frames_wanted_ = std::max(frames_wanted_, 1);
         return;

@@ -115,7 +115,7 @@ void draw_loop(const Context& context, const Track& track) {
 }
 
 /// Before the slider, as what is drawn first is what the pointer is over. True if it is over a mark.
-bool draw_marks(const Context& context, double end, std::string_view end_text) {
+bool draw_moments(const Context& context, double end, std::string_view end_text) {
     const RowPlaces places = row_places(context, end_text);
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x;
@@ -163,7 +163,7 @@ void draw_time_line(const Context& context) {
     const auto& film = context.session.film;
     const std::string label = film ? fmt::format("film {:.0f} %", std::floor(100 * film->done)) : "time line";
     const std::string end_text = with_unit(time_text(end, context.view.dt), "s");
-    const bool over_mark = draw_marks(context, end, end_text);
+    const bool over_mark = draw_moments(context, end, end_text);
     slider_row(context, {.widget = "time",
                          .label = label,
                          .tooltip = over_mark                  ? ""
