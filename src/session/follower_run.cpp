@@ -62,8 +62,7 @@ void FollowerRun::forget_other_samples(const TimeLine& leading) {
     const auto changes = leading.changes();
     std::size_t same = 0;
     while (same < std::min(followed_.size(), changes.size()) && followed_[same].change == changes[same]) ++same;
-    const double end =
-        same < changes.size() ? std::min(changes[same].time, leading.reached_time()) : leading.reached_time();
+    const double end = same < changes.size() ? changes[same].time : leading.reached_time();
     line_.forget_samples_behind(line_.step_at(end));
 }
 

@@ -59,7 +59,6 @@ bool LateSamples::take(const TimeLine& leading, FollowerRun& follower, Again& ag
     found_ = true;
     if (!there) return false;
     again.samples.assign(known.samples().begin(), known.samples().end());
-    again.stretch = std::make_shared<const int>();
     again.until = end;
     again.over = known.is_over();
     again.run.reset();
@@ -74,7 +73,7 @@ void LateSamples::put_ahead_into(std::size_t follower, SampleSeries& series) con
                                         [](std::uint64_t step, const Sample& sample) { return step < sample.step; });
     if (first == again.samples.end()) return;
     series.samples.insert(series.samples.end(), first, again.samples.end());
-    series.stretch = again.stretch;
+    series.stretch.reset();  // what comes next does not continue these
 }
 
 }  // namespace steplab

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,11 +26,10 @@ public:
 private:
     /// A run beside the leading one that goes its way once more.
     struct Again {
-        std::optional<FollowerRun> run;      ///< until it is there
-        std::vector<Sample> samples;         ///< then
-        std::shared_ptr<const int> stretch;  ///< SampleSeries::stretch with these
-        std::optional<double> until;         ///< the time that it got to
-        bool over = false;                   ///< there is nothing beyond
+        std::optional<FollowerRun> run;  ///< until it is there
+        std::vector<Sample> samples;     ///< then
+        std::optional<double> until;     ///< the time that it got to
+        bool over = false;               ///< there is nothing beyond
         bool knows(double time) const { return until && (over || *until >= time); }
     };
 

@@ -74,7 +74,6 @@ bool Session::complete_samples(const std::function<bool()>& enough) {
         lacking_ = !late_.take(line_, followers_, enough);
         return late_.found();
     } catch (const std::exception& problem) {
-        late_ = {};
         lacking_ = false;
         if (!dynamic_cast<const UsageError*>(&problem)) throw;
         return false;  // it is told when the run itself comes there
@@ -120,10 +119,7 @@ void Session::stand_at(std::uint64_t step) {
 }
 
 void Session::advance(std::uint64_t steps) {
-    const std::size_t changes = line_.past().size();
     take_forward(steps);
-    if (line_.past().size() > changes)
-        lacking_ = with_samples_;  // where a run beside it makes one, its way ahead is cut
     if (line_.is_over()) {
         const bool goes_on = plays_backwards();
         stop();
@@ -237,7 +233,6 @@ void Session::stop() {
 void Session::step(std::int64_t steps) {
     playing_ = false;
     goal_.reset();
-    lacking_ = with_samples_;
     if (steps < 0) {
         line_.step_back(std::uint64_t{0} - static_cast<std::uint64_t>(steps));
     } else {
