@@ -19,6 +19,10 @@ namespace {
 constexpr std::uint64_t measurements = 1024;
 /// An excess of energy that belongs to no usable run, as part of the energy at its start.
 constexpr double excess = 0.01;
+/// Steps over which the growth of the excess is measured.
+constexpr std::uint64_t fewest_growing = 4;
+/// By how much the factors of its halves may differ: else it is the swing within a period, or the first kick.
+constexpr double equal_growth = 1.5;
 /// Moments between the last good energy and the end whose oscillations are compared.
 constexpr std::uint64_t compared_moments = 16;
 /// The cheapest ones that may work.
@@ -37,6 +41,27 @@ double share_of(const FastestOscillation& oscillation, const Plan& scene, const 
         all += mass * dot(v, v);
     }
     return shape > 0 && all > 0 ? along * along / (shape * all) : 0;
+}
+
+/// An excess of energy that was measured [J].
+struct Excess {
+    std::uint64_t step = 0;
+    double energy = 0;
+};
+
+double factor_per_step(const Excess& from, const Excess& to) {
+    return std::pow(to.energy / from.energy, 1 / static_cast<double>(to.step - from.step));
+}
+
+/// The factor with which it grew from step to step; none if these are few, or if it did not grow evenly.
+std::optional<double> growth_of(std::span<const Excess> seen) {
+    if (seen.size() < 3 || seen.back().step - seen.front().step < fewest_growing) return std::nullopt;
+    const Excess& middle = seen[seen.size() / 2];
+    const double early = factor_per_step(seen.front(), middle), late = factor_per_step(middle, seen.back());
+    const double all = factor_per_step(seen.front(), seen.back());
+    if (!(all > 1) || !std::isfinite(all) || early > equal_growth * late || late > equal_growth * early)
+        return std::nullopt;
+    return all;
 }
 
 /// dt over the limit; how long a step is for the scene.
@@ -137,14 +162,16 @@ struct BlowUpStudy::Body {
         }
     }
 
-    /// From there until the excess is as large as the energy itself: before the motion becomes another.
+    /// From the first step of too much energy until the excess is as large as the energy itself: before the motion
+    /// becomes another.
     void measure_growth() {
-        const double first = std::max(run().energy_error(), excess * baseline);
         const std::uint64_t end = found.divergence.step, stride = 1 + (end - found.step) / measurements;
-        while (run().step() < end && run().energy_error() < baseline && !run().divergence())
+        std::vector<Excess> seen;
+        while (run().step() < end && !run().divergence() && run().energy_error() < baseline) {
             replay.advance_to(std::min(end, run().step() + stride));
-        const double steps = static_cast<double>(run().step() - found.step), ratio = run().energy_error() / first;
-        if (steps > 0 && ratio > 1 && std::isfinite(ratio)) found.growth = std::pow(ratio, 1 / steps);
+            if (run().energy_error() > excess * baseline) seen.push_back({run().step(), run().energy_error()});
+        }
+        found.growth = growth_of(seen);
     }
 
     /// At the first moment at which dt is beyond the limit, or that at which it is nearest to it.

@@ -31,7 +31,7 @@ struct BlowUp {
     std::uint64_t step = 0;  ///< the last one before the energy left the range of its start
     double time = 0;         ///< of that step [s]
     /// Factor of the excess of energy from one step to the next after that, until it is as large as the energy; none
-    /// where it was impossible at once.
+    /// where these are fewer than four.
     std::optional<double> growth = {};
     PresentLimit start;  ///< at the start of the run
     PresentLimit limit;  ///< at the moment since then at which a step is longest for the scene

@@ -23,12 +23,14 @@ constexpr std::size_t most_named = 3;
 /// step."
 std::string since_when(const BlowUp& blow_up) {
     const Divergence& divergence = blow_up.divergence;
-    const std::string place = fmt::format("step {} (t = {} s)", blow_up.step, reading_text(blow_up.time));
-    if (blow_up.step == divergence.step || !blow_up.growth)
-        return fmt::format("Up to {} the energy was at most 1 % too high; one step later it was impossible.", place);
-    return fmt::format(
-        "Up to {} the energy was at most 1 % too high; its error then grew by a factor of {} with each step.", place,
-        significant(*blow_up.growth, 3));
+    const std::string good = fmt::format("Up to step {} (t = {} s) the energy was at most 1 % too high", blow_up.step,
+                                         reading_text(blow_up.time));
+    if (blow_up.growth)
+        return fmt::format("{}; its error then grew by a factor of {} with each step.", good,
+                           significant(*blow_up.growth, 3));
+    const std::uint64_t later = divergence.step - std::min(divergence.step, blow_up.step);
+    return fmt::format("{}; {} later it was impossible.", good,
+                       later > 1 ? fmt::format("{} steps", later) : "one step");
 }
 
 /// The particles that have most of it, those with the largest share first.
