@@ -49,7 +49,9 @@ Extent extent_across(const Plot& plot) {
 Extent extent_up(const Plot& plot) {
     Extent extent;
     for (const Curve& curve : plot.curves) extent.add_over(curve.y, plot.y, curve.x, plot.x.range);
+    const bool alone = extent.empty();
     for (const Band& band : plot.bands) {
+        if (band.is_cut && !alone) continue;
         extent.add_over(band.low, plot.y, band.x, plot.x.range);
         extent.add_over(band.high, plot.y, band.x, plot.x.range);
     }
@@ -120,6 +122,22 @@ struct Column {
         count = 0;
     }
 };
+
+/// Points nearer than this to the one before [pixels] are not told apart, and the joints between them would be thick.
+constexpr float apart = 0.75f;
+
+/// Without those; the last one stays.
+void thin_out(std::vector<Point>& points) {
+    if (points.size() < 2) return;
+    const auto near_by = [](const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y) < apart; };
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        if (!near_by(points[kept - 1], points[i])) points[kept++] = points[i];
+    }
+    if (kept > 1 && near_by(points[kept - 1], points.back())) --kept;
+    points[kept++] = points.back();
+    points.resize(kept);
+}
 
 /// A name as a cell: in quotes where a comma, quote or line break in it would be read as the end of the cell (RFC
 /// 4180).
@@ -234,7 +252,14 @@ std::vector<Point> decimated(std::span<const double> x, std::span<const double> 
         column.add(point);
     }
     column.append_to(points);
+    thin_out(points);
     return points;
+}
+
+bool told_apart(std::span<const Point> points, const Box& frame, float distance) {
+    const auto seen = std::count_if(points.begin(), points.end(),
+                                    [&](const Point& point) { return point.x >= frame.x && point.x <= frame.right(); });
+    return static_cast<float>(seen) * distance < frame.width;
 }
 
 std::vector<Strip> strips(const Band& band, const Axes& axes) {

@@ -53,6 +53,7 @@ struct Band {
     std::size_t colour = 0;
     std::vector<double> x = {};  ///< ascending
     std::vector<double> low = {}, high = {};
+    bool is_cut = false;  ///< the axis does not reach to its ends, but to those of the curves
 };
 
 /// A vertical line at something that happened.
@@ -115,8 +116,11 @@ struct Point {
 };
 
 /// The line through (x, y), reduced to what its pixels can show: the first, lowest, highest and last point of each
-/// column of pixels that it passes through, so that no peak is lost. Points that an axis cannot show are left out.
+/// column of pixels that it passes through, so that no peak is lost by as much as a pixel. Points that an axis cannot
+/// show are left out.
 std::vector<Point> decimated(std::span<const double> x, std::span<const double> y, const Axes& axes);
+/// True if those of them that the frame shows are so far apart [pixels], in the mean.
+bool told_apart(std::span<const Point> points, const Box& frame, float distance);
 
 /// A band over a column of pixels.
 struct Strip {

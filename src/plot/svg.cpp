@@ -221,13 +221,14 @@ private:
     }
 
     std::string path(const Curve& curve) const {
-        constexpr std::size_t few = 40;
+        constexpr float few = 40;
         const std::vector<Point> shown = decimated(curve.x, curve.y, layout_.axes);
         const float radius = curve.large ? 5.0f : 2.2f;
+        const bool marks = curve.large || curve.has_marks(told_apart(shown, layout_.frame, layout_.frame.width / few));
         std::string points, dots;
         for (const Point& point : shown) {
             points += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
-            if (curve.large || curve.has_marks(shown.size() < few))
+            if (marks)
                 dots += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.1f}\"/>", point.x, point.y, radius);
         }
         if (shown.empty()) return {};

@@ -78,6 +78,42 @@ TEST(plot_axis, decimation_bounds_the_points_and_keeps_every_peak) {
     EXPECT_TRUE(std::is_sorted(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; }));
 }
 
+// Joints of points that lie in one place would be drawn thicker than the line.
+TEST(plot_axis, decimation_keeps_no_points_in_one_place_but_the_ends) {
+    std::vector<double> x, y;
+    for (int i = 0; i <= 5000; ++i) {
+        x.push_back(i);
+        y.push_back(1e-7 * i * i);
+    }
+    const Axes axes{{0, 5000, Scale::linear, 0, 400}, {0, 3, Scale::linear, 100, 0}};
+    const auto points = decimated(x, y, axes);
+    EXPECT_GT(points.size(), 300u);
+    EXPECT_EQ(points.front().x, 0);
+    EXPECT_EQ(points.back().x, 400);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        ASSERT_GE(std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y), 0.75f) << i;
+    const std::vector<double> same(100, 2);
+    EXPECT_EQ(decimated(same, same, axes).size(), 2u) << "one place";
+}
+
+TEST(plot_axis, points_are_told_apart_by_those_that_are_shown) {
+    std::vector<Point> points;
+    for (int i = 0; i < 1000; ++i) points.push_back({static_cast<float>(20 * i), 5});
+    EXPECT_TRUE(told_apart(points, {100, 0, 200, 50}, 12));
+    EXPECT_FALSE(told_apart(points, {100, 0, 200, 50}, 25));
+    EXPECT_TRUE(told_apart({}, {100, 0, 200, 50}, 12));
+}
+
+TEST(plot_axis, does_not_reach_to_the_ends_of_a_band_that_is_cut) {
+    Plot plot{.curves = {{.x = {0, 1}, .y = {1, 2}}}, .bands = {{.x = {0, 1}, .low = {-50, -50}, .high = {70, 70}}}};
+    EXPECT_GE(axes(plot, {0, 0, 100, 100}).up.high, 70);
+    plot.bands[0].is_cut = true;
+    EXPECT_EQ(axes(plot, {0, 0, 100, 100}).up.high, 2);
+    EXPECT_GT(axes(plot, {0, 0, 100, 100}).up.low, -1);
+    plot.curves.clear();
+    EXPECT_GE(axes(plot, {0, 0, 100, 100}).up.high, 70) << "there is nothing else";
+}
+
 TEST(plot_axis, few_points_are_all_kept) {
     const std::vector<double> x = {0, 1, 2, 3};
     const std::vector<double> y = {1, 5, 2, 4};

@@ -52,7 +52,7 @@ void use_costs(const Context& context, const plot::Layout& layout) {
     tooltip_beside(context, {x, layout.frame.y, x, layout.frame.bottom()}, text_of(*point, context));
     const ImGuiIO& io = ImGui::GetIO();
     const bool dragged = io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
-    if (ImGui::IsMouseReleased(0) && !dragged) context.events.send(event::AddRun{point->run});
+    if (ImGui::IsMouseReleased(0) && !dragged) context.events.send(event::AddRun{run_of(*point, context)});
 }
 
 std::vector<ComboItem> made_kind_items() {

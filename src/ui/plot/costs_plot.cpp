@@ -114,10 +114,17 @@ const CostPoint* cost_point_at(const Context& context, const plot::Layout& layou
     return best;
 }
 
+RunDescription run_of(const CostPoint& point, const Context& context) {
+    RunDescription run = point.run;
+    if (chooses_its_steps(run)) run.dt = context.view.dt;
+    return run;
+}
+
 std::string text_of(const CostPoint& point, const Context& context) {
     return fmt::format("{}\nerror {}\n{} force evaluations, {} ms\nclick: add it as a run",
-                       run_name(point.run, context.view.description), with_unit(error_text(point.error), "m"),
-                       count_text(point.evaluations), setting_text(1e3 * point.seconds, 2));
+                       run_name(run_of(point, context), context.view.description),
+                       with_unit(error_text(point.error), "m"), count_text(point.evaluations),
+                       setting_text(1e3 * point.seconds, 2));
 }
 
 }  // namespace steplab::ui

@@ -14,6 +14,9 @@ void costs_plot(plot::Plot& plot, const Context& context);
 /// The point of the scan that the pointer is at, if one is near.
 const CostPoint* cost_point_at(const Context& context, const plot::Layout& layout);
 
+/// The run of a point as it goes beside the others: a method of own steps is looked at as often as the leading run.
+RunDescription run_of(const CostPoint& point, const Context& context);
+
 /// "dop853, tolerance 1e-9 s, double": the run of a point, with its cost.
 std::string text_of(const CostPoint& point, const Context& context);
 

@@ -47,7 +47,7 @@ void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, co
     const ImU32 ink = ink_of(context, curve.colour);
     draw_line(list, corners, curve.line, ink, thickness_of(context));
     // dots at the points where they are few enough to be told apart
-    const bool few = static_cast<float>(corners.size()) < layout.frame.width / context.px(12);
+    const bool few = plot::told_apart(points, layout.frame, context.px(12));
     if (curve.large) draw_marks(list, corners, ink, context.px(5));
     if (curve.has_marks(few)) draw_marks(list, corners, ink, context.px(2.4f));
 }
@@ -133,8 +133,11 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
     if (!layout.frame.contains(pointer.x, pointer.y)) return;
     const float line = std::round(pointer.x);
     ImGui::GetWindowDrawList()->AddLine({line, layout.frame.y}, {line, layout.frame.bottom()}, colour::text_faint);
-    std::string text = plot.x.name + " " + with_unit(setting_text(layout.axes.across.value(pointer.x), 6), plot.x.unit);
-    for (const auto& [curve, i] : plot::points_at(plot, layout.axes, {pointer.x, pointer.y})) {
+    const std::vector<plot::PointedPoint> points = plot::points_at(plot, layout.axes, {pointer.x, pointer.y});
+    const double across =
+        points.empty() ? layout.axes.across.value(pointer.x) : points.front().curve->x[points.front().index];
+    std::string text = plot.x.name + " " + with_unit(setting_text(across, 6), plot.x.unit);
+    for (const auto& [curve, i] : points) {
         draw_dot(context, *curve, i, layout);
         text.append("\n" + curve->name + ": " + with_unit(setting_text(curve->y[i], 5), plot.y.unit));
     }

@@ -61,7 +61,7 @@ bool has_size(const ErrorSeries& errors) {
 void add_error_of_reference(Plot& plot, const SessionView& session) {
     const auto& known = session.error_series;
     if (std::none_of(known.begin(), known.end(), has_size)) return;
-    plot::Band band{.name = "error of the reference", .colour = Curve::quiet};
+    plot::Band band{.name = "error of the reference", .colour = Curve::quiet, .is_cut = true};
     for (const ErrorSample& sample : known.front().samples) {
         band.x.push_back(sample.time);
         band.low.push_back(0);
@@ -110,22 +110,26 @@ void spread_plot(Plot& plot, const Context& context) {
     plot.curves.push_back(std::move(curve));
 }
 
-/// Of the particles that move, in as many classes as the root of their number.
+/// Of the particles that are free to move, in as many classes as the root of their number.
 void speeds_plot(Plot& plot, const Context& context) {
     plot.x = {.name = "speed", .unit = "m/s"};
     plot.y.name = "particles";
     plot.empty = "of one particle there is nothing to count";
     std::vector<double> speeds;
-    for (const Vec3 velocity : context.view.frame.velocities) {
-        if (const double speed = length(velocity); speed > 0 && std::isfinite(speed)) speeds.push_back(speed);
+    const Frame& frame = context.view.frame;
+    for (std::size_t i = 0; i < frame.velocities.size(); ++i) {
+        const double speed = length(frame.velocities[i]);
+        if (frame.shape->roles[i] != Role::fixed && std::isfinite(speed)) speeds.push_back(speed);
     }
     if (speeds.size() < 2) return;
     const double largest = *std::max_element(speeds.begin(), speeds.end());
+    if (largest == 0) plot.empty = "all particles are at rest";
+    if (largest == 0) return;
     const auto classes = static_cast<std::size_t>(std::clamp(std::sqrt(static_cast<double>(speeds.size())), 4.0, 60.0));
     std::vector<double> counts(classes);
     for (const double speed : speeds)
         ++counts[std::min(classes - 1, static_cast<std::size_t>(speed / largest * static_cast<double>(classes)))];
-    Curve curve{.name = "run", .ascending = false};
+    Curve curve{.name = "run", .marks = plot::Marks::never, .ascending = false};
     const auto corner = [&](double part, double count) {
         curve.x.push_back(largest * part / static_cast<double>(classes));
         curve.y.push_back(count);
@@ -223,6 +227,28 @@ const PlotKindInfo& info_of(PlotKind kind) {
     return *std::find_if(plot_kinds.begin(), plot_kinds.end(), [&](const auto& info) { return info.kind == kind; });
 }
 
+/// What a logarithmic axis shows of errors of either sign: their sizes.
+void take_sizes(Plot& plot) {
+    for (Curve& curve : plot.curves) {
+        for (double& value : curve.y) value = std::abs(value);
+    }
+    plot.y.name = plot.y.name == "(E - E0) / |E0|" ? "|E - E0| / |E0|" : "|" + plot.y.name + "|";
+}
+
+bool is_known(const Plot& plot) {
+    return std::any_of(plot.curves.begin(), plot.curves.end(), [](const Curve& curve) {
+        return std::any_of(curve.y.begin(), curve.y.end(), [](double value) { return std::isfinite(value); });
+    });
+}
+
+void set_scale(Plot& plot, PlotKind kind, plot::Scale scale) {
+    plot.y.scale = scale;
+    if (scale != plot::Scale::logarithmic) return;
+    if (kind == PlotKind::energy_error) take_sizes(plot);
+    if (kind == PlotKind::spectrum) plot.y.range = upper_decades(plot);
+    if (is_known(plot)) plot.empty = "no value is above 0, as a logarithmic axis needs";
+}
+
 /// Errors of methods differ by powers of ten.
 Plot plot_of(const Context& context, const PlotChoice& choice) {
     Plot plot{.name = std::string(info_of(choice.kind).id),
@@ -238,9 +264,7 @@ Plot plot_of(const Context& context, const PlotChoice& choice) {
         choice.kind != PlotKind::speeds && choice.kind != PlotKind::costs && choice.kind != PlotKind::pairs;
     if (context.view.series.samples.empty() && of_samples) return plot;
     fill_of(choice.kind)(plot, context);
-    plot.y.scale = choice.scale;
-    if (choice.kind == PlotKind::spectrum && choice.scale == plot::Scale::logarithmic)
-        plot.y.range = upper_decades(plot);
+    set_scale(plot, choice.kind, choice.scale);
     if (choice.up) plot.y.range = choice.up;
     if (choice.across) plot.x.range = choice.across;
     if (plot.x.name == "time") add_time(plot, context, choice.kind);
