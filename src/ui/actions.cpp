@@ -247,15 +247,17 @@ namespace {
 
 /// Keys of the run and the view do nothing while the page of scenes hides both.
 bool acts_on_page(Action action) {
-    constexpr std::array actions{Action::open_scene,  Action::help,        Action::larger, Action::smaller,
-                                 Action::usual_scale, Action::full_screen, Action::close,  Action::quit};
+    constexpr std::array actions{Action::open_scene, Action::help,        Action::larger,
+                                 Action::smaller,    Action::usual_scale, Action::full_screen,
+                                 Action::close,      Action::quit,        Action::steer};
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
 /// A field that is being edited keeps all other keys to itself: a scene would be saved without the value that is typed.
 bool acts_beside_an_entry(Action action) {
-    constexpr std::array actions{Action::larger,   Action::smaller, Action::usual_scale, Action::help,
-                                 Action::snapshot, Action::record,  Action::full_screen, Action::quit};
+    constexpr std::array actions{Action::larger,      Action::smaller,  Action::usual_scale,
+                                 Action::help,        Action::snapshot, Action::record,
+                                 Action::full_screen, Action::quit,     Action::steer};
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 

@@ -8,8 +8,9 @@
 namespace steplab::ui {
 namespace {
 
-/// The windows of ImGui that hold the panels, in the order of F6.
-constexpr std::array<const char*, 6> panels{"panel tabs", "side panel", "plots", "time line", "run buttons", "bar"};
+/// The windows of ImGui that hold the panels, in the order of F6: first those over others.
+constexpr std::array panels{"help",       "divergence", "doubt", "lost",      "scenes",      "lesson",
+                            "panel tabs", "side panel", "plots", "time line", "run buttons", "bar"};
 
 bool is_shown(const char* name) {
     const ImGuiWindow* const window = ImGui::FindWindowByName(name);
@@ -29,6 +30,7 @@ void steer_on(const Context& context) {
     state.steering = true;
     state.steered = *next;
     state.focused.clear();
+    ImGui::ClearActiveID();  // of an entry that was being typed
     ImGui::SetWindowFocus(*next);
     ImGuiContext& imgui = *ImGui::GetCurrentContext();
     ImGui::NavInitWindow(imgui.NavWindow, true);
@@ -43,13 +45,11 @@ void leave_to_pointer(const Context& context) {
 
 void draw_steering(const Context& context) {
     const ImGuiContext& imgui = *ImGui::GetCurrentContext();
-    const ImGuiWindow* const window = imgui.NavWindow;
+    ImGuiWindow* const window = imgui.NavWindow;
     if (!context.state.steering || !window || imgui.NavId == 0) return;
-    const ImRect& place = window->NavRectRel[imgui.NavLayer];
-    const float margin = context.px(2);
-    const ImVec2 from{window->Pos.x + place.Min.x - margin, window->Pos.y + place.Min.y - margin};
-    const ImVec2 to{window->Pos.x + place.Max.x + margin, window->Pos.y + place.Max.y + margin};
-    ImGui::GetForegroundDrawList()->AddRect(from, to, colour::accent, context.px(5), 0, context.px(2));
+    ImRect place = ImGui::WindowRectRelToAbs(window, window->NavRectRel[imgui.NavLayer]);
+    place.Expand(context.px(2));
+    ImGui::GetForegroundDrawList()->AddRect(place.Min, place.Max, colour::accent, context.px(5), 0, context.px(2));
 }
 
 }  // namespace steplab::ui

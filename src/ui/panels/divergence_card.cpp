@@ -92,9 +92,10 @@ void draw_ways_on(const Context& context) {
     tooltip(context, "opens docs/divergence.md: when a run counts as diverged, and why runs diverge");
 }
 
+/// The lower right corner of the scene, whose middle shows the oscillation.
 ImVec2 anchor(const Context& context) {
     const Area& scene = context.layout.scene;
-    return {scene.x + 0.5f * scene.width, scene.y + 0.42f * scene.height};
+    return {scene.right() - context.px(8), scene.bottom() - context.px(8)};
 }
 
 void draw_title(const Context& context, const char* text) {
@@ -103,7 +104,7 @@ void draw_title(const Context& context, const char* text) {
 }
 
 void draw_doubt(const Context& context, const Doubt& doubt) {
-    const Card card(context, "doubt", anchor(context), {0.5f, 0.5f}, card_width(context, 430), colour::bad);
+    const Card card(context, "doubt", anchor(context), {1, 1}, card_width(context, 430), colour::bad);
     draw_title(context, "The energy is impossible");
     explanation(
         context,
@@ -124,7 +125,7 @@ void draw_divergence_card(const Context& context) {
         return;
     }
     if (dismissed == divergence->step) return;
-    const Card card(context, "divergence", anchor(context), {0.5f, 0.5f}, card_width(context, 430), colour::bad);
+    const Card card(context, "divergence", anchor(context), {1, 1}, card_width(context, 430), colour::bad);
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
     draw_title(context, divergence->stop ? "The run stopped" : "The run diverged");
     explanation(context, divergence->message, colour::text);

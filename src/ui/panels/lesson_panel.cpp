@@ -15,8 +15,7 @@ namespace steplab::ui {
 namespace {
 
 constexpr ImGuiWindowFlags lesson_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                           ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void paragraph(std::string_view text, ImU32 ink = colour::text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);

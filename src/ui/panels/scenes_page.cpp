@@ -16,9 +16,9 @@ namespace {
 // Of a tile, in units of the layout; pictures have the same proportions.
 constexpr float picture_width = 176, picture_height = 110, name_height = 36, gap = 16;
 
-constexpr ImGuiWindowFlags page_window =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags page_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string in_capitals(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
