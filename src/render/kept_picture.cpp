@@ -61,14 +61,14 @@ int KeptPicture::draw(const PictureTexture& scene, const PictureArea& area, cons
 /// A copy of pixels, which needs no blending: as part of the panels the scene would cost as much as all of them.
 void KeptPicture::copy_scene(const PictureTexture& scene, const PictureArea& area, GLuint to, int height,
                              std::span<const PictureArea> parts) const {
-    const auto [width, rows] = scene.size();
-    if (width == 0) return;  // not drawn yet
+    const PictureSize from = scene.size();
+    if (from.width == 0) return;  // not drawn yet
     glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, scene.name(), 0);
     const int right = area.left + area.size.width, bottom = height - area.top - area.size.height;
     in_each(parts_within(area, parts), height, [&] {
-        glBlitFramebuffer(0, 0, width, rows, area.left, bottom, right, bottom + area.size.height, GL_COLOR_BUFFER_BIT,
-                          scene.size() == area.size ? GL_NEAREST : GL_LINEAR);
+        glBlitFramebuffer(0, 0, from.width, from.height, area.left, bottom, right, bottom + area.size.height,
+                          GL_COLOR_BUFFER_BIT, from == area.size ? GL_NEAREST : GL_LINEAR);
     });
     glBindFramebuffer(GL_FRAMEBUFFER, to);
 }
