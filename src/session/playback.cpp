@@ -305,10 +305,10 @@ void Playback::observe(RunView& view) {
 
 Tracked Playback::tracked(std::size_t particle) const {
     const Vec3 rest = shape_->rest[particle];
-    Tracked tracked{particle, frame_.positions[particle] - rest, std::nullopt};
-    const ExactSolution* const exact = meter_ ? meter_->exact() : nullptr;
-    if (exact && frame_.time <= exact->valid_until())
-        tracked.exact_displacement = frame_.reference.at(particle) + exact->displacement(particle, frame_.time) - rest;
+    Tracked tracked{particle, frame_.positions[particle] - rest};
+    if (!meter_ || !meter_->exact()) return tracked;
+    tracked.exact = {meter_->exact(), particle, frame_.reference.at(particle) - rest};
+    tracked.exact_displacement = tracked.exact->displacement(frame_.time);
     return tracked;
 }
 

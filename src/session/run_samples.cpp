@@ -14,8 +14,8 @@ Sample sample_of(const Simulation& run, std::optional<std::size_t> particle) {
     Sample sample = steplab::sample_of(run.step(), run.time(), measured);
     if (!particle || *particle >= run.particles()) return sample;
     sample.particle = {run.displacement(*particle), run.state().velocity.at(*particle)};
-    if (const auto exact = run.exact_position(*particle, run.time()))
-        sample.particle->exact_displacement = *exact - run.shape()->rest[*particle];
+    if (const auto exact = run.exact_motion(*particle))
+        sample.particle->exact_displacement = exact->displacement(run.time());
     return sample;
 }
 

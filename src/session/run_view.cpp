@@ -12,8 +12,9 @@ namespace {
 
 Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_t particle) {
     const Vec3 rest = frame.shape->rest[particle];
-    Tracked tracked{particle, frame.positions[particle] - rest, std::nullopt};
-    if (const auto exact = simulation.exact_position(particle, frame.time)) tracked.exact_displacement = *exact - rest;
+    Tracked tracked{particle, frame.positions[particle] - rest};
+    tracked.exact = simulation.exact_motion(particle);
+    if (tracked.exact) tracked.exact_displacement = tracked.exact->displacement(frame.time);
     return tracked;
 }
 
@@ -48,9 +49,9 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
 Sample sample_of(const RunView& view) {
     Sample sample = sample_of(view.frame.step, view.frame.time, view.diagnostics);
     if (!view.tracked) return sample;
-    const auto& [particle, displacement, exact] = *view.tracked;
-    if (particle < view.frame.velocities.size())
-        sample.particle = {displacement, view.frame.velocities[particle], exact};
+    const Tracked& tracked = *view.tracked;
+    if (tracked.particle < view.frame.velocities.size())
+        sample.particle = {tracked.displacement, view.frame.velocities[tracked.particle], tracked.exact_displacement};
     return sample;
 }
 

@@ -25,7 +25,8 @@ struct Rate {
 struct Tracked {
     std::size_t particle = 0;
     Vec3 displacement;  ///< from its rest position
-    std::optional<Vec3> exact_displacement;
+    std::optional<Vec3> exact_displacement = {};
+    std::optional<ExactMotion> exact = {};
 };
 
 /// An energy that is impossible, before the check that decides whether the run diverged.

@@ -203,6 +203,12 @@ std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time
     return body_->segment.scene.reference.at(particle) + exact->displacement(particle, time);
 }
 
+std::optional<ExactMotion> Simulation::exact_motion(std::size_t particle) const {
+    if (!has_exact()) return std::nullopt;
+    const Vec3 origin = body_->segment.scene.reference.at(particle) - shape()->rest[particle];
+    return ExactMotion{body_->motion->solution(), particle, origin};
+}
+
 std::string Simulation::why_not_exact() const {
     if (!body_->motion) return "the scene was changed during the run";
     const ExactSolution* const exact = body_->exact();

@@ -4,6 +4,7 @@
 #include "core/frame.hpp"
 #include "models/conservation.hpp"
 #include "sim/run/act.hpp"
+#include "sim/run/exact_motion.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/method_refusals.hpp"
 #include "sim/run/resolution.hpp"
@@ -124,6 +125,8 @@ public:
     /// run left its conditions (a parameter of the scene was changed under way).
     std::optional<Vec3> exact_position(std::size_t particle, double time) const;
     bool has_exact() const;
+    /// The same of a particle at any time; none where exact_position() has none at any.
+    std::optional<ExactMotion> exact_motion(std::size_t particle) const;
     /// Why exact_position() is not known at the present step; empty if it is.
     std::string why_not_exact() const;
 

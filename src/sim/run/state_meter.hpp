@@ -27,7 +27,7 @@ public:
     const std::shared_ptr<const Shape>& shape() const { return shape_; }
     const Conservation& conservation() const { return conservation_; }
     /// Where the particles are by their exact solution; null if none is known. A scene changed under way has another.
-    const ExactSolution* exact() const { return exact_.get(); }
+    const std::shared_ptr<const ExactSolution>& exact() const { return exact_; }
 
     /// Of a frame of all particles with displacements and velocities; its energy error is 0.
     Diagnostics measure(const Frame& frame);

@@ -2,6 +2,7 @@
 
 #include "plot/free_corner.hpp"
 #include "plot/plot.hpp"
+#include "ui/plot/exact_curve.hpp"
 #include "ui/plot/scene_laws.hpp"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ enum class PlotKind {
     energies,
     error,
     displacement,
+    position,
     velocity,
     phase,
     spectrum,
@@ -44,6 +46,7 @@ inline constexpr std::array plot_kinds{
                  "largest distance of a particle from the exact solution or the reference, for each run"},
     PlotKindInfo{PlotKind::displacement, "displacement", "displacement",
                  "of the selected particle, along the axis in which it moves most"},
+    PlotKindInfo{PlotKind::position, "position", "position", "of the selected particle, along the same axis"},
     PlotKindInfo{PlotKind::velocity, "velocity", "velocity", "of the selected particle, along the same axis"},
     PlotKindInfo{PlotKind::phase, "phase portrait", "phase portrait",
                  "velocity of the selected particle over its displacement: a closed curve where nothing is lost"},
@@ -96,6 +99,7 @@ struct PlotsState {
     std::optional<bool> scanned = {};  ///< whether costs were asked for
     std::optional<bool> sampled = {};  ///< whether samples were asked for
     SceneLaws laws = {};
+    ExactCurve exact = {};
     std::map<std::string, plot::Corner> legends = {};  ///< where they stand, by the plot's name
 };
 

@@ -19,11 +19,6 @@ using plot::Plot;
 
 constexpr std::string_view axis_names[] = {"x", "y", "z"};
 
-bool knows_exact(const SampleSeries& series) {
-    return std::any_of(series.samples.begin(), series.samples.end(),
-                       [](const Sample& sample) { return sample.particle && sample.particle->exact_displacement; });
-}
-
 bool begin_particle_plot(Plot& plot, const Context& context, std::string_view what) {
     plot.empty = "click a particle to plot what it does";
     if (!context.view.tracked) return false;
@@ -33,15 +28,31 @@ bool begin_particle_plot(Plot& plot, const Context& context, std::string_view wh
     return true;
 }
 
-/// Between the lowest and the highest run of the ensemble.
-void add_ensemble(Plot& plot, const Context& context) {
+Curve exact_curve() { return {.name = "exact", .colour = Curve::exact, .line = plot::Line::dashed}; }
+
+std::span<const ExactPoint> exact_points(const Context& context) {
+    const auto& tracked = context.view.tracked;
+    return context.state.plots.exact.of(context.view.series, tracked ? tracked->exact : std::nullopt,
+                                        context.view.frame.positions.size());
+}
+
+/// The exact motion over time.
+template <class Value>
+void add_exact(Plot& plot, const Context& context, const Value& value) {
+    Curve curve = exact_curve();
+    for (const ExactPoint& point : exact_points(context)) curve.add(point.time, value(point));
+    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+}
+
+/// Between the lowest and the highest run of the ensemble; `origin`: where their displacements are counted from.
+void add_ensemble(Plot& plot, const Context& context, double origin) {
     const int axis = context.state.history.direction();
     plot::Band band{.name = "ensemble"};
     for (const SpreadSample& sample : context.view.spread.samples) {
         if (!sample.reach) continue;
         band.x.push_back(sample.time);
-        band.low.push_back(component(sample.reach->low, axis));
-        band.high.push_back(component(sample.reach->high, axis));
+        band.low.push_back(origin + component(sample.reach->low, axis));
+        band.high.push_back(origin + component(sample.reach->high, axis));
     }
     if (!band.x.empty()) plot.bands.push_back(std::move(band));
 }
@@ -95,22 +106,28 @@ void add_modes(Plot& plot, const Context& context) {
     }
 }
 
+/// Displacements, counted from somewhere else.
+void add_paths(Plot& plot, const Context& context, double origin) {
+    const int axis = context.state.history.direction();
+    add_runs(plot, context, [=](const Sample& sample) {
+        return sample.particle ? origin + component(sample.particle->displacement, axis) : unknown;
+    });
+    add_ensemble(plot, context, origin);
+    add_exact(plot, context, [=](const ExactPoint& point) { return origin + component(point.displacement, axis); });
+}
+
 }  // namespace
 
 void displacement_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "displacement", .unit = "m"};
-    if (!begin_particle_plot(plot, context, "displacement")) return;
-    const int axis = context.state.history.direction();
-    add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? component(sample.particle->displacement, axis) : unknown;
-    });
-    add_ensemble(plot, context);
-    if (!knows_exact(context.view.series)) return;
-    plot.curves.push_back(over_time("exact", Curve::exact, context.view.series, [axis](const Sample& sample) {
-        const auto& particle = sample.particle;
-        return particle && particle->exact_displacement ? component(*particle->exact_displacement, axis) : unknown;
-    }));
-    plot.curves.back().line = plot::Line::dashed;
+    if (begin_particle_plot(plot, context, "displacement")) add_paths(plot, context, 0);
+}
+
+void position_plot(Plot& plot, const Context& context) {
+    plot.y = {.name = "position", .unit = "m"};
+    if (!begin_particle_plot(plot, context, "position")) return;
+    const Vec3 rest = context.view.frame.shape->rest[context.view.tracked->particle];
+    add_paths(plot, context, component(rest, context.state.history.direction()));
 }
 
 void velocity_plot(Plot& plot, const Context& context) {
@@ -120,6 +137,7 @@ void velocity_plot(Plot& plot, const Context& context) {
     add_runs(plot, context, [axis](const Sample& sample) {
         return sample.particle ? component(sample.particle->velocity, axis) : unknown;
     });
+    add_exact(plot, context, [axis](const ExactPoint& point) { return component(point.velocity, axis); });
 }
 
 void phase_plot(Plot& plot, const Context& context) {
@@ -140,6 +158,11 @@ void phase_plot(Plot& plot, const Context& context) {
         }
         plot.curves.push_back(std::move(curve));
     }
+    Curve exact = exact_curve();
+    exact.ascending = false;
+    for (const ExactPoint& point : exact_points(context))
+        exact.add(component(point.displacement, axis), component(point.velocity, axis));
+    if (!exact.x.empty()) plot.curves.push_back(std::move(exact));
 }
 
 void spectrum_plot(Plot& plot, const Context& context) {

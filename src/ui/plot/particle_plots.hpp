@@ -8,6 +8,7 @@ namespace steplab::ui {
 // Plots of the motion of the selected particle, along the axis in which it moves most.
 
 void displacement_plot(plot::Plot& plot, const Context& context);
+void position_plot(plot::Plot& plot, const Context& context);
 void velocity_plot(plot::Plot& plot, const Context& context);
 /// Velocity over displacement.
 void phase_plot(plot::Plot& plot, const Context& context);

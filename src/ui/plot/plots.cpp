@@ -154,6 +154,8 @@ Fill fill_of(PlotKind kind) {
             return error_plot;
         case PlotKind::displacement:
             return displacement_plot;
+        case PlotKind::position:
+            return position_plot;
         case PlotKind::velocity:
             return velocity_plot;
         case PlotKind::phase:
