@@ -107,8 +107,10 @@ bool read(const toml::node& node, PlotChoice& plot) {
     const auto found = std::find_if(ui::plot_kinds.begin(), ui::plot_kinds.end(),
                                     [&](const ui::PlotKindInfo& info) { return info.id == id; });
     if (found == ui::plot_kinds.end()) return false;
-    plot.kind = found->kind;
-    return scale && read_word(*scale, scale_ids, plot.scale);
+    plot = ui::default_choice(found->kind);
+    const toml::node* const across = table->get("across");
+    return scale && read_word(*scale, scale_ids, plot.scale) &&
+           (!across || read_word(*across, scale_ids, plot.across_scale));
 }
 
 bool read_plots(const toml::node& node, std::vector<PlotChoice>& plots) {
@@ -160,8 +162,9 @@ std::string text_of(const ViewChoices& choices) {
     toml::array plots;
     for (const PlotChoice& plot : choices.plots) {
         const auto kind = static_cast<std::size_t>(plot.kind);
-        plots.push_back(
-            toml::table{{"kind", ui::plot_kinds[kind].id}, {"scale", scale_ids[static_cast<std::size_t>(plot.scale)]}});
+        plots.push_back(toml::table{{"kind", ui::plot_kinds[kind].id},
+                                    {"scale", scale_ids[static_cast<std::size_t>(plot.scale)]},
+                                    {"across", scale_ids[static_cast<std::size_t>(plot.across_scale)]}});
     }
     table.insert("plots", plots);
     std::ostringstream text;

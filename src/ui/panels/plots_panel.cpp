@@ -34,7 +34,7 @@ void ask_for_costs(const Context& context) {
     if (context.purpose != Purpose::use) return;
     PlotsState& plots = context.state.plots;
     const auto chosen = std::find_if(plots.shown.begin(), plots.shown.end(),
-                                     [](const PlotChoice& choice) { return choice.kind == PlotKind::costs; });
+                                     [](const PlotChoice& choice) { return shows_costs(choice.kind); });
     const auto number = static_cast<std::size_t>(chosen - plots.shown.begin());
     const bool seen = !context.layout.plots.empty() && number < shown_plots(context);
     const bool wanted = !context.session.playback && chosen != plots.shown.end() && (seen || plots.scanned == true);
@@ -42,12 +42,12 @@ void ask_for_costs(const Context& context) {
 }
 
 /// A click on a point of the diagram adds its run.
-void use_costs(const Context& context, const plot::Layout& layout) {
+void use_costs(const Context& context, PlotKind kind, const plot::Layout& layout) {
     if (context.purpose != Purpose::use || !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
         return;
-    const CostPoint* const point = cost_point_at(context, layout);
+    const CostPoint* const point = cost_point_at(context, kind, layout);
     if (!point) return;
-    const float x = layout.axes.across.pixel(point->evaluations), y = layout.axes.up.pixel(point->error);
+    const float x = layout.axes.across.pixel(point->*cost_of(kind)), y = layout.axes.up.pixel(point->error);
     ImGui::GetWindowDrawList()->AddCircle({x, y}, context.px(6), colour::accent, 0, context.px(1.6f));
     tooltip_beside(context, {x, layout.frame.y, x, layout.frame.bottom()}, text_of(*point, context));
     const ImGuiIO& io = ImGui::GetIO();
@@ -98,14 +98,32 @@ void draw_kind(const Context& context, std::size_t number, const Area& area) {
         choose(context.state.plots, number, plot_kinds[chosen].kind);
 }
 
-/// Linear, logarithmic, or logarithmic on both sides of 0: a click goes on to the next one.
-void draw_scale(const Context& context, PlotChoice& choice, const Area& area) {
+/// Of one axis: linear, logarithmic, or logarithmic on both sides of 0. A click goes on to the next one, from which a
+/// part that is shown has to begin again.
+void draw_scale(const Context& context, const std::string& widget, plot::Scale& scale, std::optional<Range>& shown,
+                const Area& area) {
     const std::array<const char*, 3> names{is_narrow(context, area) ? "lin" : "linear", "log", "\u00b1log"};
-    const auto scale = static_cast<std::size_t>(choice.scale);
-    const std::string widget = std::string(info_of(choice.kind).id) + ".scale";
-    if (text_button(context, widget, names[scale], false, scale_width(context, area)))
-        choice = {choice.kind, static_cast<plot::Scale>((scale + 1) % names.size())};
+    const auto chosen = static_cast<std::size_t>(scale);
+    if (!text_button(context, widget, names[chosen], false, scale_width(context, area))) return;
+    scale = static_cast<plot::Scale>((chosen + 1) % names.size());
+    shown.reset();
+}
+
+void draw_scale_up(const Context& context, PlotChoice& choice, const Area& area) {
+    draw_scale(context, std::string(info_of(choice.kind).id) + ".scale", choice.scale, choice.up, area);
     tooltip(context, "the axis up: linear, logarithmic (of values above 0), or logarithmic on both sides of 0");
+}
+
+/// Beside the name of the axis, at the right.
+void draw_scale_across(const Context& context, PlotChoice& choice, const Area& area, const Area& frame) {
+    const WithFont font(context.theme.fonts().small);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, context.px(1)});
+    const float height = ImGui::GetFrameHeight();
+    ImGui::SetCursorScreenPos(
+        {frame.right() - scale_width(context, area), area.bottom() - context.px(12) - 0.5f * height});
+    draw_scale(context, std::string(info_of(choice.kind).id) + ".across", choice.across_scale, choice.across, area);
+    ImGui::PopStyleVar();
+    tooltip(context, "the axis across: linear, logarithmic (of values above 0), or logarithmic on both sides of 0");
 }
 
 /// The first kind that is not shown yet.
@@ -157,7 +175,7 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
     ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
     draw_kind(context, number, area);
     ImGui::SameLine(0, context.px(6));
-    draw_scale(context, context.state.plots.shown[number], area);
+    draw_scale_up(context, context.state.plots.shown[number], area);
     const WithFont font(context.theme.fonts().small);
     if (has_room_for_title(context, plot, area)) text_left(title_from(context, area), y, plot.title, colour::text_dim);
     draw_count(context, number, area);
@@ -171,8 +189,10 @@ void draw_chosen(const Context& context, std::size_t number, const Area& area) {
     draw_plot(context, plot, area, !has_room_for_title(context, plot, area));
     const plot::Layout layout = plot_layout(context.theme, plot, area);
     move_axes(context, plot, layout, area, context.state.plots.shown[number]);
-    if (context.state.plots.shown[number].kind == PlotKind::costs) use_costs(context, layout);
+    if (const PlotKind kind = context.state.plots.shown[number].kind; shows_costs(kind))
+        use_costs(context, kind, layout);
     draw_header(context, plot, number, area);
+    if (!context.is_saved()) draw_scale_across(context, context.state.plots.shown[number], area, layout.frame);
 }
 
 }  // namespace

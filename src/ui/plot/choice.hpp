@@ -29,7 +29,8 @@ enum class PlotKind {
     speeds,
     pairs,
     spread,
-    costs
+    costs,
+    times
 };
 
 struct PlotKindInfo {
@@ -61,6 +62,9 @@ inline constexpr std::array plot_kinds{
                  "largest distance of a particle of the ensemble from where it is in the run"},
     PlotKindInfo{PlotKind::costs, "speed against error", "speed against error",
                  "all methods on this scene: what error a number of force evaluations buys"},
+    PlotKindInfo{
+        PlotKind::times, "time against error", "time against error",
+        "all methods on this scene: what error computing time buys, on this machine beside all else that runs"},
 };
 
 /// Its id as a word of a command line: "energy-error".
@@ -70,24 +74,31 @@ inline std::string plot_word(const PlotKindInfo& info) {
     return word;
 }
 
+/// Speed or time against error: what is scanned for them is the same.
+constexpr bool shows_costs(PlotKind kind) { return kind == PlotKind::costs || kind == PlotKind::times; }
+
 /// The name of a kind.
 const PlotKindInfo& info_of(PlotKind kind);
 
 /// A plot that is shown.
 struct PlotChoice {
     PlotKind kind = PlotKind::energy_error;
-    plot::Scale scale = plot::Scale::linear;  ///< of the axis up
-    std::optional<Range> up = {};             ///< of the axis up, where it was moved; none: that of the data
-    std::optional<Range> across = {};         ///< the same of the axis across, where that is not time
+    plot::Scale scale = plot::Scale::linear;         ///< of the axis up
+    plot::Scale across_scale = plot::Scale::linear;  ///< of the axis across
+    std::optional<Range> up = {};                    ///< of the axis up, where it was moved; none: that of the data
+    std::optional<Range> across = {};                ///< the same of the axis across, where that is not time
 
     /// True if both show the same, wherever their axes were moved.
-    friend bool operator==(const PlotChoice& a, const PlotChoice& b) { return a.kind == b.kind && a.scale == b.scale; }
+    friend bool operator==(const PlotChoice& a, const PlotChoice& b) {
+        return a.kind == b.kind && a.scale == b.scale && a.across_scale == b.across_scale;
+    }
 };
 
 /// A plot of this kind with the scale that suits it: errors of methods differ by powers of ten.
 inline PlotChoice default_choice(PlotKind kind) {
-    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error || kind == PlotKind::spectrum;
-    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
+    const bool logarithmic = shows_costs(kind) || kind == PlotKind::error || kind == PlotKind::spectrum;
+    const auto scale_if = [](bool log) { return log ? plot::Scale::logarithmic : plot::Scale::linear; };
+    return {kind, scale_if(logarithmic), scale_if(shows_costs(kind))};
 }
 
 /// The plots below the scene.

@@ -32,12 +32,11 @@ std::size_t colour_of(const Context& context, const SeriesKey& key) {
 }
 
 /// Those of the methods on the screen last, in front.
-void add_series(Plot& plot, const Context& context, const CostsView& costs) {
+void add_series(Plot& plot, const Context& context, const CostsView& costs, Cost cost) {
     std::map<SeriesKey, Curve> series;
     for (const CostPoint& point : costs.points) {
         Curve& curve = series[key_of(point.run)];
-        curve.x.push_back(point.evaluations);
-        curve.y.push_back(point.error);
+        curve.add(point.*cost, point.error);
     }
     for (const bool in_front : {false, true}) {
         for (auto& [key, curve] : series) {
@@ -54,37 +53,33 @@ void add_series(Plot& plot, const Context& context, const CostsView& costs) {
     }
 }
 
-/// The runs than which none has a smaller error for no more evaluations.
-Curve front_of(const CostsView& costs) {
+/// The runs than which none has a smaller error for no more of the cost.
+Curve front_of(const CostsView& costs, Cost cost) {
     std::vector<std::pair<double, double>> points;
-    for (const CostPoint& point : costs.points) points.emplace_back(point.evaluations, point.error);
+    for (const CostPoint& point : costs.points) points.emplace_back(point.*cost, point.error);
     std::sort(points.begin(), points.end());
     Curve curve{.name = "nothing better", .colour = Curve::exact, .line = plot::Line::dashed};
-    for (const auto& [evaluations, error] : points) {
-        if (!curve.y.empty() && error >= curve.y.back()) continue;
-        curve.x.push_back(evaluations);
-        curve.y.push_back(error);
+    for (const auto& [spent, error] : points) {
+        if (curve.y.empty() || error < curve.y.back()) curve.add(spent, error);
     }
     return curve;
 }
 
 /// The runs of the session, as large dots.
-void add_runs(Plot& plot, const Context& context, const CostsView& costs) {
+void add_runs(Plot& plot, const Context& context, const CostsView& costs, Cost cost) {
     for (std::size_t run = 0; run < costs.runs.size() && run <= context.session.followers.size(); ++run) {
         if (!costs.runs[run]) continue;
         plot.curves.push_back({.name = run_name(context.run(run).description, context.view.description),
                                .colour = context.run(run).swatch,
                                .large = true,
                                .ascending = false,
-                               .x = {costs.runs[run]->evaluations},
+
+                               .x = {*costs.runs[run].*cost},
                                .y = {costs.runs[run]->error}});
     }
 }
 
-}  // namespace
-
-void costs_plot(Plot& plot, const Context& context) {
-    plot.x = {.name = "force evaluations", .scale = plot::Scale::logarithmic};
+void work_precision_plot(Plot& plot, const Context& context, Cost cost) {
     plot.y = {.name = "error", .unit = "m"};
     plot.empty = "measuring";
     plot.nearest_alone = true;
@@ -93,19 +88,31 @@ void costs_plot(Plot& plot, const Context& context) {
     if (costs->points.empty() && costs->complete) plot.empty = costs->how;
     plot.y.name = fmt::format("error after {} s", setting_text(costs->time));
     if (!costs->complete) plot.y.name += fmt::format(", {:.0f} % of the series", 100 * costs->done);
-    add_series(plot, context, *costs);
-    if (costs->points.size() > 1) plot.curves.push_back(front_of(*costs));
-    add_runs(plot, context, *costs);
+    add_series(plot, context, *costs, cost);
+    if (costs->points.size() > 1) plot.curves.push_back(front_of(*costs, cost));
+    add_runs(plot, context, *costs, cost);
 }
 
-const CostPoint* cost_point_at(const Context& context, const plot::Layout& layout) {
+}  // namespace
+
+void costs_plot(Plot& plot, const Context& context) {
+    plot.x = {.name = "force evaluations"};
+    work_precision_plot(plot, context, cost_of(PlotKind::costs));
+}
+
+void times_plot(Plot& plot, const Context& context) {
+    plot.x = {.name = "computing time", .unit = "s"};
+    work_precision_plot(plot, context, cost_of(PlotKind::times));
+}
+
+const CostPoint* cost_point_at(const Context& context, PlotKind kind, const plot::Layout& layout) {
     const auto& costs = context.session.costs;
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     if (!costs || !layout.frame.contains(pointer.x, pointer.y)) return nullptr;
     const CostPoint* best = nullptr;
     float least = context.px(14);
     for (const CostPoint& point : costs->points) {
-        const float distance = std::hypot(layout.axes.across.pixel(point.evaluations) - pointer.x,
+        const float distance = std::hypot(layout.axes.across.pixel(point.*cost_of(kind)) - pointer.x,
                                           layout.axes.up.pixel(point.error) - pointer.y);
         if (distance >= least) continue;
         least = distance;

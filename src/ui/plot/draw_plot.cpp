@@ -186,7 +186,10 @@ void draw_axis_name(const Context& context, const Plot& plot, const Area& area, 
         text_left(frame.x, y, caption, colour::text_faint);
         return text_right(right, y, name, colour::text_dim);
     }
-    text_left(frame.x + 0.5f * (frame.width - width), y, name, colour::text_dim);
+    // beside the name lies the button of the scale
+    const float middle = frame.x + 0.5f * (frame.width - width);
+    const float last = context.is_saved() ? middle : right - context.px(62) - width;
+    text_left(std::min(middle, last), y, name, colour::text_dim);
 }
 
 void draw_content(const Context& context, const Plot& plot, const Area& area, const plot::Layout& layout,

@@ -95,7 +95,7 @@ Range frequencies_shown(const Plot& plot) {
 /// As lines, which are named by their numbers; those of one frequency have one.
 void add_modes(Plot& plot, const Context& context) {
     const auto& modes = context.state.plots.laws.modes(context.view.description);
-    if (!modes) plot.x.name += " (normal modes: computed of at most 64 particles)";
+    if (!modes) plot.x.name += " (modes: of up to 64 particles)";
     if (!modes) return;
     constexpr double equal = 1e-7;  // far above the rounding of a frequency
     for (std::size_t first = 0, next = 0; first < modes->size(); first = next) {

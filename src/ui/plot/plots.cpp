@@ -170,6 +170,8 @@ Fill fill_of(PlotKind kind) {
             return speeds_plot;
         case PlotKind::costs:
             return costs_plot;
+        case PlotKind::times:
+            return times_plot;
         case PlotKind::spread:
             break;
     }
@@ -213,7 +215,7 @@ std::optional<Range> from_start(const Plot& plot) {
 
 /// The part of time that is shown, what was done in it, and where the run stands.
 void add_time(Plot& plot, const Context& context, PlotKind kind) {
-    const bool oscillates = kind == PlotKind::displacement || kind == PlotKind::velocity;
+    const bool oscillates = kind == PlotKind::displacement || kind == PlotKind::position || kind == PlotKind::velocity;
     const SampleSeries& series = context.view.series;
     plot.x.range = context.state.plots.window;
     if (!plot.x.range && oscillates) plot.x.range = recent(series);
@@ -251,6 +253,17 @@ void set_scale(Plot& plot, PlotKind kind, plot::Scale scale) {
     if (is_known(plot)) plot.empty = "no value is above 0, as a logarithmic axis needs";
 }
 
+/// From the least value above 0 on, if it is logarithmic.
+void set_scale_across(Plot& plot, plot::Scale scale) {
+    plot.x.scale = scale;
+    if (scale != plot::Scale::logarithmic || !plot.x.range || plot.x.range->low > 0) return;
+    double least = infinity;
+    for (const Curve& curve : plot.curves) {
+        for (const double x : curve.x) least = x > 0 ? std::min(least, x) : least;
+    }
+    plot.x.range = least < plot.x.range->high ? std::optional(Range{least, plot.x.range->high}) : std::nullopt;
+}
+
 /// Errors of methods differ by powers of ten.
 Plot plot_of(const Context& context, const PlotChoice& choice) {
     Plot plot{.name = std::string(info_of(choice.kind).id),
@@ -263,13 +276,14 @@ Plot plot_of(const Context& context, const PlotChoice& choice) {
         return plot;
     }
     const bool of_samples =
-        choice.kind != PlotKind::speeds && choice.kind != PlotKind::costs && choice.kind != PlotKind::pairs;
+        choice.kind != PlotKind::speeds && !shows_costs(choice.kind) && choice.kind != PlotKind::pairs;
     if (context.view.series.samples.empty() && of_samples) return plot;
     fill_of(choice.kind)(plot, context);
     set_scale(plot, choice.kind, choice.scale);
     if (choice.up) plot.y.range = choice.up;
     if (choice.across) plot.x.range = choice.across;
     if (plot.x.name == "time") add_time(plot, context, choice.kind);
+    set_scale_across(plot, choice.across_scale);
     plot.title = text_of(plot.y);
     return plot;
 }

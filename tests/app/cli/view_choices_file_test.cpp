@@ -42,7 +42,9 @@ ViewChoices other_choices() {
             .forces = true,
             .panel = false,
             .sizes = {.panel_width = 321.5, .plots_height = 222},
-            .plots = {{PlotKind::phase, plot::Scale::symmetric_logarithmic}, {PlotKind::costs}},
+            .plots = {{PlotKind::phase, plot::Scale::symmetric_logarithmic},
+                      {PlotKind::costs},
+                      {PlotKind::error, plot::Scale::linear, plot::Scale::logarithmic}},
             .width = 901,
             .height = 703,
             .picture = {.scene_alone = true, .caption = true, .film = ".webm"}};
@@ -60,9 +62,7 @@ TEST_F(ViewChoicesFile, what_is_written_is_read_again) {
     EXPECT_TRUE(read.choices.trail && read.choices.velocities && read.choices.forces);
     EXPECT_EQ(read.choices.panel, expected.panel);
     EXPECT_EQ(read.choices.sizes, expected.sizes);
-    ASSERT_EQ(read.choices.plots.size(), 2u);
-    EXPECT_EQ(read.choices.plots[0].kind, PlotKind::phase);
-    EXPECT_EQ(read.choices.plots[0].scale, plot::Scale::symmetric_logarithmic);
+    EXPECT_TRUE(read.choices.plots == expected.plots);
     EXPECT_EQ(read.choices.width, expected.width);
     EXPECT_EQ(read.choices.height, expected.height);
     EXPECT_EQ(read.choices.picture, expected.picture);
@@ -85,11 +85,23 @@ TEST_F(ViewChoicesFile, what_another_window_changed_meanwhile_stays) {
     EXPECT_EQ(read_view_choices(path).choices.background, Background::light);
 }
 
+TEST_F(ViewChoicesFile, an_axis_across_of_which_nothing_is_said_is_as_the_plot_opens) {
+    std::filesystem::create_directory(folder.file("steplab"));
+    const ReadViewChoices read = read_text(
+        "plots = [{kind = \"speed against error\", scale = \"logarithmic\"}, "
+        "{kind = \"energies\", scale = \"linear\"}]\n");
+    EXPECT_FALSE(read.problem);
+    ASSERT_EQ(read.choices.plots.size(), 2u);
+    EXPECT_EQ(read.choices.plots[0].across_scale, plot::Scale::logarithmic);
+    EXPECT_EQ(read.choices.plots[1].across_scale, plot::Scale::linear);
+}
+
 TEST_F(ViewChoicesFile, values_that_cannot_be_used_are_named_and_the_others_hold) {
     std::filesystem::create_directory(folder.file("steplab"));
     for (const char* line :
          {"scale = 9", "scale = nan", "scale = \"large\"", "theme = \"pink\"", "grid = 1", "width = 100.5",
           "film = \".avi\"", "plots = []", "plots = [{kind = \"weather\"}]",
+          "plots = [{kind = \"speeds\", scale = \"linear\", across = \"round\"}]",
           "plots = [{kind = \"speeds\", scale = \"linear\"}, {kind = \"speeds\", scale = \"linear\"}]"}) {
         const ReadViewChoices read = read_text(std::string(line) + "\nsprings = false\nunheard_of = 3\n");
         ASSERT_TRUE(read.problem) << line;

@@ -57,12 +57,13 @@ TEST(plot_values, of_speeds_count_particles_at_rest_but_not_fixed_ones) {
 }
 
 /// A click on the only point of the diagram, wherever in its frame that is.
-RunDescription clicked(Desk& desk, const RunDescription& run) {
+RunDescription clicked(Desk& desk, const RunDescription& run, const char* plot = "speed against error") {
     CostsView costs{.time = 60, .done = 1, .complete = true, .how = "exact"};
     costs.points = {{run, 100, 1e-3, 1e-3}};
+    costs.runs = {CostPoint{desk.view.description, 200, 1e-5, 2e-3}};
     desk.session.costs = std::make_shared<const CostsView>(costs);
     desk.frame();
-    const WidgetRect place = desk.widget("speed against error");
+    const WidgetRect place = desk.widget(plot);
     for (float y = place.top; y < place.bottom; y += 10) {
         for (float x = place.left; x < place.right; x += 10) {
             desk.move_to(x, y);
@@ -87,6 +88,69 @@ TEST(plot_values, a_clicked_point_is_added_with_the_dt_at_which_it_is_seen) {
         const double dt = clicked(desk, run).dt;
         EXPECT_EQ(dt, std::string(method) == "rk4" ? 60 : desk.view.dt) << method;
     }
+}
+
+TEST(plot_values, of_time_against_error_are_what_computing_took) {
+    const OwnFolder folder;
+    Desk desk(describe("chain"));
+    choose(desk, 1, "time against error");
+    EXPECT_EQ(clicked(desk, with_method(describe("chain"), "rk4"), "time against error").method, "rk4");
+    const std::string table = saved_csv(desk, "time against error");
+    EXPECT_NE(table.find("rk4,0.001,0.001\n"), std::string::npos) << table;
+    EXPECT_NE(table.find(",0.002,1e-05\n"), std::string::npos) << table;
+    EXPECT_EQ(table.substr(0, table.find(',', 6)), "curve,computing time");
+}
+
+/// A label below the axis across.
+std::string across_label(const std::string& text) {
+    return "text-anchor=\"middle\" fill=\"#1b2430\">" + text + "</text>";
+}
+
+std::string saved_svg(Desk& desk, const std::string& kind, int number) {
+    desk.click(kind + ".save");
+    desk.click(kind + ".svg");
+    desk.frame();
+    return text_of_file("steplab-" + kind + "-" + std::to_string(number) + ".svg");
+}
+
+TEST(plot_values, lie_along_a_logarithmic_axis_across_from_the_first_above_zero_on) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    choose(recorded.desk, 1, "energies");
+    auto& samples = recorded.desk.view.series.samples;
+    samples.resize(4);
+    for (std::size_t i = 0; i < 4; ++i) samples[i].time = i == 0 ? 0 : std::pow(10, i - 1);
+    recorded.desk.frame();
+    EXPECT_NE(saved_svg(recorded.desk, "energies", 1).find(across_label("0")), std::string::npos);
+    recorded.desk.click("energies.across");
+    recorded.desk.frame();
+    const std::string text = saved_svg(recorded.desk, "energies", 2);
+    for (const char* const label : {"1", "10", "100"})
+        EXPECT_NE(text.find(across_label(label)), std::string::npos) << label;
+    EXPECT_EQ(text.find(across_label("0")), std::string::npos);
+}
+
+// A part of the axis up that was zoomed to is the same part whatever the axis across is.
+TEST(plot_values, are_shown_over_the_same_part_when_the_other_axis_has_another_scale) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    Desk& desk = recorded.desk;
+    choose(desk, 1, "energies");
+    desk.point_at("energies.axis");
+    desk.frame();
+    desk.wheel(2);
+    desk.frame();
+    const std::string zoomed = saved_svg(desk, "energies", 1);
+    for (int click = 0; click < 3; ++click) {
+        desk.click("energies.across");
+        desk.frame();
+    }
+    EXPECT_EQ(saved_svg(desk, "energies", 2), zoomed);
+    for (int click = 0; click < 3; ++click) {
+        desk.click("energies.scale");
+        desk.frame();
+    }
+    EXPECT_NE(saved_svg(desk, "energies", 3), zoomed) << "its own scale shows all of it";
 }
 
 }  // namespace

@@ -31,6 +31,10 @@ TEST(plots, of_every_kind_are_chosen_and_drawn_in_every_scale) {
                 EXPECT_TRUE(recorded.desk.has(std::string(info.id) + ".scale"));
                 recorded.desk.click(std::string(info.id) + ".scale");
                 recorded.desk.frame();
+                for (int across = 0; across < 3; ++across) {
+                    recorded.desk.click(std::string(info.id) + ".across");
+                    recorded.desk.frame();
+                }
             }
         }
     }
