@@ -56,6 +56,16 @@ void History::follow(const RunView& view) {
         if (sampled && sample.particle) reach_to(sample.particle->displacement);
     }
     if (view.tracked && !sampled) reach_to(view.tracked->displacement);
+    if (particle && reach_ == Vec3{} && *particle < view.frame.velocities.size())
+        lean_to(view.frame.velocities[*particle]);
+}
+
+/// Where it is about to go, before it has moved.
+void History::lean_to(Vec3 velocity) {
+    const auto size = [&](int axis) { return std::abs(component(velocity, axis)); };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size(axis) > 1.2 * size(direction_)) direction_ = axis;
+    }
 }
 
 /// Another axis must be clearly ahead, so that the plots do not alternate between two of similar size.

@@ -35,6 +35,7 @@ private:
     void begin(const RunView& view);
     void follow(const RunView& view);
     void reach_to(Vec3 displacement);
+    void lean_to(Vec3 velocity);
 
     std::optional<std::uint64_t> run_;
     std::optional<std::size_t> particle_;

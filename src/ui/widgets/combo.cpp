@@ -53,11 +53,12 @@ void draw_box(const Context& context, ImDrawList& list, const Box& box, std::str
     const ImVec4 room{box.from.x, box.from.y, x - 1.5f * half, box.to.y};
     const float from = box.from.x + context.px(room.z - room.x < context.px(100) ? 7 : 11);
     ImFont* font = context.theme.fonts().strong;
-    const char *const text = name.data(), *const end = text + name.size();
-    if (from + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text, end).x > room.z)
+    if (from + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, name.data(), name.data() + name.size()).x > room.z)
         font = context.theme.fonts().small;
-    list.AddText(font, font->FontSize, {from, std::round(y - 0.5f * font->FontSize)}, colour::text, text, end, 0,
-                 &room);
+    const WithFont used(font);
+    const std::string text = shortened(name, room.z - from);
+    list.AddText(font, font->FontSize, {from, std::round(y - 0.5f * font->FontSize)}, colour::text, text.c_str(),
+                 nullptr, 0, &room);
 }
 
 /// Width of the widest item, including the gap between name and remark.

@@ -109,6 +109,18 @@ TEST(history, the_plotted_direction_is_the_one_that_moves_most) {
     EXPECT_EQ(history.direction(), 1) << "of another particle";
 }
 
+TEST(history, the_plotted_direction_of_a_particle_that_has_not_moved_is_that_of_its_velocity) {
+    for (const auto& [velocity, direction] : {std::pair{Vec3{2, 0, 0}, 0}, {{0, -1, 0}, 1}, {{0, 1, 5}, 2}, {{}, 1}}) {
+        History history;
+        RunView start = moment(0, {});
+        start.frame.velocities.assign(start.tracked->particle + 1, velocity);
+        history.record(start);
+        EXPECT_EQ(history.direction(), direction);
+        history.record(moment(1, {0, 0, 0.5}));
+        EXPECT_EQ(history.direction(), 2) << "where it went";
+    }
+}
+
 TEST(history, the_plotted_direction_follows_from_the_samples_where_there_are_some) {
     History often, seldom;
     RunView view = moment(0);
