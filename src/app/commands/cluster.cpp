@@ -92,8 +92,9 @@ private:
             summary.notes = written.notes;
             summary.notes.push_back(
                 fmt::format("computed by {} on {} MPI rank{}", lammps.version(), ranks, ranks == 1 ? "" : "s"));
-            if (!out_.empty()) write_cluster_rows(run, folder, written.particles, out_);
+            if (!out_.empty()) write_cluster_rows(run, folder, summary.result, out_);
             report(summary);
+            if (const auto& diverged = summary.result.divergence) throw Error(ExitCode::diverged, diverged->message);
         } catch (const UsageError&) {
             throw;
         } catch (...) {

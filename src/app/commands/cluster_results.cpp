@@ -2,10 +2,13 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/number_text.hpp"
 #include "io/lammps/lammps_dump.hpp"
 #include "io/lammps/lammps_export.hpp"
 #include "io/output_file.hpp"
 #include "io/trajectory.hpp"
+#include "sim/run/divergence.hpp"
+#include "sim/run/simulation.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -39,16 +42,50 @@ void take(LammpsMoment& moment, double dt, const FrameParts& needs, Frame& frame
                          [&](std::size_t i, Vec3 at) { frame.displacements[i] = frame.positions[i] - at; });
 }
 
+/// Judges energies as those of steplab's own runs are.
+class EnergyJudge {
+public:
+    EnergyJudge(const RunDescription& run, const LammpsEnergy& start) : run_(run), start_(start) {}
+
+    bool is_possible(const LammpsEnergy& now) {
+        const double gain = now.total() - start_.total();
+        if (!std::isfinite(gain)) return false;
+        // the scale is no less than this, and takes a scene to be known
+        if (gain_is_possible(gain, start_.kinetic + std::abs(start_.potential))) return true;
+        if (scale_ < 0) scale_ = Simulation(run_).energy_scale();
+        return gain_is_possible(gain, scale_ + std::abs(now.outside - start_.outside));
+    }
+
+private:
+    const RunDescription& run_;
+    const LammpsEnergy& start_;
+    double scale_ = -1;  ///< not known yet
+};
+
+/// `energy`: the first that is impossible.
+Divergence divergence_at(const LammpsEnergy& energy, double dt) {
+    Divergence divergence;
+    divergence.step = energy.step - 1;
+    divergence.time = static_cast<double>(divergence.step) * dt;
+    divergence.dt = dt;
+    divergence.message = fmt::format(
+        "The run diverged in LAMMPS: its energy is {} at step {}, probably because dt = {} is "
+        "too large.",
+        std::isfinite(energy.total()) ? significant(energy.total(), 4) + " J" : "no number", energy.step,
+        significant(dt, 4));
+    return divergence;
+}
+
 }  // namespace
 
-void write_cluster_rows(const RunDescription& run, const std::string& folder, std::size_t particles,
+void write_cluster_rows(const RunDescription& run, const std::string& folder, const RunResult& until,
                         const std::string& out) {
     const RunDescription held = as_held(run);
     OutputFile file(out, compression_of(out));
     TrajectoryWriter writer(file, trajectory_format_of(out), run);
     Frame frame = empty_frame(held, plan_of(held));
-    LammpsDump dump(folder + '/' + lammps_files::trajectory, particles);
-    for (LammpsMoment moment; dump.next(moment);) {
+    LammpsDump dump(folder + '/' + lammps_files::trajectory, until.particles);
+    for (LammpsMoment moment; dump.next(moment) && moment.step <= until.steps;) {
         check_interruption();
         take(moment, held.dt, writer.needs(), frame);
         writer.add(frame);
@@ -65,19 +102,20 @@ RunSummary cluster_summary(const RunDescription& run, std::uint64_t steps, std::
     RunResult& result = summary.result;
     result.dt = as_held(run).dt;
     result.steps = steps;
-    result.time = static_cast<double>(steps) * result.dt;
     result.particles = particles;
     result.evaluations = steps + 1;
     result.energy_start = energies.front().total();
-    result.energy_end = energies.back().total();
+    EnergyJudge judge(run, energies.front());
     for (const LammpsEnergy& energy : energies) {
-        if (!std::isfinite(energy.total()))
-            throw Error(ExitCode::diverged,
-                        fmt::format("the energy is no number at step {}: the run diverged in LAMMPS, "
-                                    "probably because dt is too large",
-                                    energy.step));
+        if (!judge.is_possible(energy)) {
+            result.divergence = divergence_at(energy, result.dt);
+            result.steps = result.divergence->step;
+            break;
+        }
+        result.energy_end = energy.total();
         result.energy_error = std::max(result.energy_error, std::abs(energy.total() - result.energy_start));
     }
+    result.time = static_cast<double>(result.steps) * result.dt;
     result.hash = "none";
     return summary;
 }

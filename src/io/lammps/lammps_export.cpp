@@ -36,8 +36,9 @@ public:
         : run_(run), time_(time), scene_(scene), forces_(forces), bonds_(bonds) {}
 
     std::string text() const {
+        const std::string outside = outside_lines(scene_);
         return head() + space() + "read_data scene.data\n\n" + bonds_.coefficient_lines() + forces_.lines() +
-               neighbours() + groups() + outside_lines(scene_) + limit_of_distance() + output() + motion();
+               neighbours() + groups() + outside + limit_of_distance() + output(outside) + motion();
     }
     bool is_unlimited() const {
         const auto& all = scene_.pair_forces();
@@ -125,13 +126,14 @@ private:
     }
     std::uint64_t moments() const { return time_.every > 0 ? time_.every : std::max<std::uint64_t>(1, time_.steps); }
 
-    std::string output() const {
+    /// `outside`: what acts from outside.
+    std::string output(const std::string& outside) const {
         return fmt::format(
-            "\ncompute kinetic all ke\nthermo_style custom step pe c_kinetic\n"
+            "\ncompute kinetic all ke\nvariable outside equal {}\nthermo_style custom step pe c_kinetic v_outside\n"
             "thermo_modify norm no format float %.17g flush yes\nthermo {}\n"
             "dump moments all custom {} {} id type xu yu zu vx vy vz\n"
             "dump_modify moments sort id format float %.17g\n",
-            every_energy(), moments(), lammps_files::trajectory);
+            outside_energy(outside), every_energy(), moments(), lammps_files::trajectory);
     }
 
     std::string motion() const {

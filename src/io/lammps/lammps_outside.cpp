@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace steplab {
 
@@ -80,6 +81,17 @@ std::string outside_lines(const LammpsScene& scene) {
     if (scene.potentials().size() > most_potentials)
         refuse_outside(fmt::format("more than {} potentials that act from outside", most_potentials));
     return text;
+}
+
+std::string outside_energy(const std::string& lines) {
+    std::istringstream text(lines);
+    std::string sum;
+    for (std::string line; std::getline(text, line);) {
+        std::istringstream words(line);
+        std::string command, fix;
+        if (words >> command >> fix && command == "fix_modify") sum += (sum.empty() ? "f_" : "+f_") + fix;
+    }
+    return sum.empty() ? "0" : sum;
 }
 
 }  // namespace steplab

@@ -65,14 +65,20 @@ std::string tail_of(const std::string& name) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// "     100 0.5 1.25" as numbers.
+/// An energy; of one that is written "nan" or "-inf" no number.
+std::optional<double> energy_of(const std::string& word) {
+    if (word.find("nan") != std::string::npos || word.find("inf") != std::string::npos) return NAN;
+    return parse_number(word);
+}
+
+/// "     100 0.5 1.25 0" as numbers.
 std::optional<LammpsEnergy> energy_in(const std::string& line) {
     std::istringstream words(line);
-    std::string step, potential, kinetic, more;
-    if (!(words >> step >> potential >> kinetic) || words >> more) return std::nullopt;
-    const auto number = parse_number(step), v = parse_number(potential), t = parse_number(kinetic);
-    if (!number || !v || !t || *number < 0) return std::nullopt;
-    return LammpsEnergy{static_cast<std::uint64_t>(*number), *v, *t};
+    std::string step, potential, kinetic, outside, more;
+    if (!(words >> step >> potential >> kinetic >> outside) || words >> more) return std::nullopt;
+    const auto number = parse_number(step), v = energy_of(potential), t = energy_of(kinetic), w = energy_of(outside);
+    if (!number || !v || !t || !w || *number < 0) return std::nullopt;
+    return LammpsEnergy{static_cast<std::uint64_t>(*number), *v, *t, *w};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace steplab {
 struct LammpsEnergy {
     std::uint64_t step = 0;
     double potential = 0, kinetic = 0;
+    double outside = 0;  ///< of the potential energy, that of what acts from outside
 
     double total() const { return potential + kinetic; }
 };

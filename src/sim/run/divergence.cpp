@@ -64,8 +64,10 @@ std::string stop_reason(const OwnStop& stop, const RunDescription& held) {
 bool energy_is_possible(const Energy& now, const Energy& start, double floor) {
     const double work = std::abs(now.potential.external - start.potential.external);
     const double scale = start.kinetic + start.potential.magnitude + work + floor;
-    return now.total() - start.total() <= possible_gain * scale;
+    return gain_is_possible(now.total() - start.total(), scale);
 }
+
+bool gain_is_possible(double gain, double scale) { return gain <= possible_gain * scale; }
 
 /// What outer forces have added is their work, which is on the other side too.
 bool energy_is_surely_possible(double bound, const Energy& start, double floor) {

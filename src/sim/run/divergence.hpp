@@ -11,6 +11,8 @@ namespace steplab {
 /// 1000 times the kinetic and absolute potential energy at the start, the work of outer forces since and the scene's
 /// floor. Relative to these, falling and slow gains are not taken for a blow-up. Drag only lowers the energy.
 bool energy_is_possible(const Energy& now, const Energy& start, double floor);
+/// The same of a gain since the start [J]; `scale`: the sum of all those.
+bool gain_is_possible(double gain, double scale);
 
 /// True only if it is possible whatever the parts are: `bound` is not below the kinetic energy and that of the springs.
 bool energy_is_surely_possible(double bound, const Energy& start, double floor);

@@ -192,6 +192,11 @@ Diagnostics Simulation::measured(const PortionSink& also) const {
 double Simulation::energy() const { return settled().energy().total(); }
 double Simulation::energy_error() const { return settled().energy_error(); }
 
+double Simulation::energy_scale() const {
+    const Energy& start = body_->baseline;
+    return start.kinetic + start.potential.magnitude + body_->segment.meter.floor(dt());
+}
+
 /// Counted from the reference position, which is elsewhere where particles have no rest position.
 Vec3 Simulation::displacement(std::size_t particle) const {
     return state().displacement.at(particle) + (body_->segment.scene.reference.at(particle) - shape()->rest[particle]);

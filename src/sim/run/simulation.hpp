@@ -118,6 +118,9 @@ public:
     std::shared_ptr<const Shape> shape() const;
     /// The forces in N on all particles at this moment, drag and damping included.
     void forces(std::vector<Vec3>& out) const;
+    /// What gains of energy are judged by [J]: kinetic and absolute potential energy where the energy error counts
+    /// from, and the scene's floor (docs/divergence.md).
+    double energy_scale() const;
     /// Hash of step and synchronised state bits, 16 hexadecimal digits.
     std::string hash() const;
 

@@ -1,13 +1,16 @@
 // Scenes computed by LAMMPS from the command line: export --to lammps, cluster, crosscheck.
 
+#include "app/commands/cluster_results.hpp"
 #include "app/program.hpp"
 #include "app/tables.hpp"
 #include "io/files.hpp"
+#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -71,6 +74,51 @@ TEST(Cluster, that_fails_shows_the_message_of_lammps_and_keeps_its_files) {
     EXPECT_THAT(failed.err, HasSubstr("is dt too large?"));
     EXPECT_THAT(failed.err, HasSubstr("are kept in 'kept'"));
     EXPECT_TRUE(std::filesystem::exists(folder.file("kept/log.lammps")));
+}
+
+// LAMMPS takes any energy for one; a run of steplab ends at the same step.
+TEST(Cluster, that_diverges_is_said_to_have_as_a_run_of_steplab_is) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    const std::vector<std::string> chain{"--model", "chain", "--dt", "1.02", "--steps", "50", "--every", "1"};
+    const Outcome there =
+        steplab({"cluster", "--ranks", "1", "--out", "there.csv", "--summary", "there.json"}, chain, here);
+    EXPECT_EQ(there.code, 4);
+    EXPECT_THAT(there.err, HasSubstr("diverged in LAMMPS: its energy is"));
+    EXPECT_THAT(there.err, HasSubstr("the files of LAMMPS are kept"));
+    EXPECT_THAT(there.out, HasSubstr("diverged in step"));
+    const Json summary = Json::parse(text_of(folder.file("there.json")));
+    EXPECT_EQ(summary["status"], "diverged");
+    const Outcome ours = steplab({"run", "--method", "velocity-verlet", "--summary", "ours.json"}, chain, here);
+    EXPECT_EQ(ours.code, 4);
+    const Json own = Json::parse(text_of(folder.file("ours.json")));
+    EXPECT_EQ(summary["diverged_step"], own["diverged_step"]);
+    const CsvTable rows = table(text_of(folder.file("there.csv")));
+    const std::size_t particles = own["particles"].get<std::size_t>(), steps = own["steps"].get<std::size_t>();
+    EXPECT_EQ(rows.rows.size(), (steps + 1) * particles) << "those before it";
+}
+
+// A fall exchanges far more energy than there was at the start.
+TEST(Cluster, that_falls_far_has_not_diverged) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(
+        {"cluster", "--model", "rope", "--dt", "0.002", "--steps", "1000", "--ranks", "1"}, {.folder = folder.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(Cluster, is_judged_by_what_it_had_at_the_start_and_the_work_of_outer_forces) {
+    const RunDescription run = describe("oscillator", "velocity-verlet");
+    const double start = 0.5;  // of mass 1 at a speed of 1
+    const auto steps_of = [&](double gain, double outside) {
+        const std::vector<LammpsEnergy> energies{{0, 0, start, 0}, {10, outside, start + gain - outside, outside}};
+        return cluster_summary(run, 10, 2, energies, 1).result.steps;
+    };
+    EXPECT_EQ(steps_of(999 * start, 0), 10U);
+    EXPECT_EQ(steps_of(1001 * start, 0), 9U);
+    EXPECT_EQ(steps_of(1001 * start, 2 * start), 10U);
+    EXPECT_EQ(steps_of(2999 * start, -2 * start), 10U);
+    EXPECT_EQ(steps_of(3002 * start, -2 * start), 9U);
+    EXPECT_EQ(steps_of(NAN, 0), 9U);
 }
 
 TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
