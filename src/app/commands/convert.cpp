@@ -64,6 +64,13 @@ public:
 
     int run() override {
         if (file_.empty()) throw UsageError("FILE is required: the file to convert");
+        convert();
+        if (fault_) throw FileError(*fault_);
+        return static_cast<int>(ExitCode::done);
+    }
+
+private:
+    void convert() {
         if (const auto format = frame_format(format_, out_)) return convert_frames(*format);
         const TrajectoryFormat format = format_.empty() ? trajectory_format_of(out_) : trajectory_format(format_);
         const Columns columns = columns_.empty() ? Columns() : parse_columns(columns_);
@@ -77,11 +84,9 @@ public:
             convert(*TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program), format,
                     columns);
         }
-        return static_cast<int>(ExitCode::done);
     }
 
-private:
-    int convert_frames(FrameFormat format) const {
+    void convert_frames(FrameFormat format) {
         if (!columns_.empty()) throw UsageError("--columns selects those of CSV and XYZ");
         if (format == FrameFormat::pvd && out_ == "-")
             throw UsageError("--format pvd writes several files: --out NAME.pvd");
@@ -100,7 +105,6 @@ private:
                 });
             });
         }
-        return static_cast<int>(ExitCode::done);
     }
 
     /// That of the run that wrote the file, if the file has all of its particles.
@@ -117,14 +121,32 @@ private:
         }
     }
 
+    /// All frames of a text, or those before a fault, which is returned. Throws it if there are none.
+    template <class Visit>
+    static std::optional<FileError> each_before_a_fault(TextTrajectory& text, const Visit& visit) {
+        std::uint64_t frames = 0;
+        for (FrameBlock frame;; ++frames) {
+            check_interruption();
+            try {
+                if (!text.next(frame)) return std::nullopt;
+            } catch (const FileError& fault) {
+                if (frames == 0) throw;
+                return FileError(fmt::format("{}; the {} before it {} written", fault.what(),
+                                             frames == 1 ? "frame" : fmt::format("{} frames", frames),
+                                             frames == 1 ? "was" : "were"));
+            }
+            visit(frame);
+        }
+    }
+
     /// All that can be read, whole.
-    void each_frame(const WholeFrames::Visit& visit) const {
+    void each_frame(const WholeFrames::Visit& visit) {
         WholeFrames frames(visit);
         InputFile input(file_);
         if (!TrajectoryReader::reads(input)) {
             const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
             text->require({Column::x, Column::y, Column::z});
-            for (FrameBlock frame; text->next(frame); check_interruption()) frames.add(frame);
+            fault_ = each_before_a_fault(*text, [&](const FrameBlock& frame) { frames.add(frame); });
             return;
         }
         TrajectoryReader reader(std::move(input));
@@ -167,7 +189,7 @@ private:
     }
 
     /// Only a trajectory file describes its run. Without --columns a CSV file gets those that the other has.
-    void convert(TextTrajectory& text, TrajectoryFormat format, Columns columns) const {
+    void convert(TextTrajectory& text, TrajectoryFormat format, Columns columns) {
         if (format == TrajectoryFormat::trajectory)
             throw UsageError(
                 fmt::format("'{}' is text, which does not describe its run as a trajectory file must: "
@@ -179,11 +201,10 @@ private:
         text.require(columns);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
-            for (FrameBlock frame; text.next(frame);) {
-                check_interruption();
+            fault_ = each_before_a_fault(text, [&](FrameBlock& frame) {
                 if (!all) frame.values.clear();
                 writer.add(std::move(frame));
-            }
+            });
             writer.finish();
         });
     }
@@ -206,6 +227,7 @@ private:
     std::string out_ = "-";
     std::string format_;
     std::string columns_;
+    std::optional<FileError> fault_;  ///< of the file, found when what is before it was written
 };
 
 }  // namespace

@@ -46,6 +46,38 @@ TEST_F(Convert, writes_the_frames_of_a_truncated_file_and_reports_it) {
     EXPECT_EQ(text_of(file), text_of(run_to("csv")));
 }
 
+// Texts of other programs too: what was whole before the fault is not lost.
+TEST_F(Convert, writes_the_frames_of_a_text_before_its_fault_and_reports_it) {
+    const std::string trajectory = run_to("trajectory");
+    for (const std::string from : {"csv", "xyz", "dump", "xyz.gz"}) {
+        const std::string text = folder_.file("whole." + from), cut = folder_.file("cut." + from);
+        ASSERT_EQ(run_program({"convert", trajectory, "--out", text}).code, 0);
+        const std::string whole = text_of(text);
+        put_text(cut, whole.substr(0, whole.size() * 2 / 3));
+        for (const std::string to : {"csv", "xyz", "dump", "pvd"}) {
+            SCOPED_TRACE(from + " to " + to);
+            const std::string all = folder_.file(from + ".all." + to), part = folder_.file(from + ".part." + to);
+            ASSERT_EQ(run_program({"convert", text, "--out", all}).code, 0);
+            const Outcome outcome = run_program({"convert", cut, "--out", part});
+            EXPECT_EQ(outcome.code, 3);
+            EXPECT_THAT(outcome.err, HasSubstr(" frames before it were written"));
+            const std::string written = text_of(part);
+            EXPECT_GT(written.size(), text_of(all).size() / 3);
+            if (to != "pvd") {
+                EXPECT_EQ(written, text_of(all).substr(0, written.size()));
+            }
+        }
+    }
+}
+
+TEST_F(Convert, of_a_text_without_a_whole_frame_leaves_what_was_there) {
+    const std::string out = folder_.file("kept.csv");
+    put_text(folder_.file("cut.xyz"), "5\n\nA 1 2 3\n");
+    put_text(out, "before");
+    EXPECT_EQ(run_program({"convert", folder_.file("cut.xyz"), "--out", out}).code, 3);
+    EXPECT_EQ(text_of(out), "before");
+}
+
 TEST_F(Convert, of_no_whole_frame_leaves_what_was_there) {
     const std::string whole = text_of(run_to("trajectory"));
     const std::string cut = folder_.file("cut.trajectory"), out = folder_.file("kept.trajectory");
