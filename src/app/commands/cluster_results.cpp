@@ -65,7 +65,7 @@ private:
 /// `energy`: the first that is impossible.
 Divergence divergence_at(const LammpsEnergy& energy, double dt) {
     Divergence divergence;
-    divergence.step = energy.step - 1;
+    divergence.step = std::max<std::uint64_t>(energy.step, 1) - 1;
     divergence.time = static_cast<double>(divergence.step) * dt;
     divergence.dt = dt;
     divergence.message = fmt::format(

@@ -73,7 +73,6 @@ void add_runs(Plot& plot, const Context& context, const CostsView& costs, Cost c
                                .colour = context.run(run).swatch,
                                .large = true,
                                .ascending = false,
-
                                .x = {*costs.runs[run].*cost},
                                .y = {costs.runs[run]->error}});
     }

@@ -119,6 +119,7 @@ TEST(Cluster, is_judged_by_what_it_had_at_the_start_and_the_work_of_outer_forces
     EXPECT_EQ(steps_of(2999 * start, -2 * start), 10U);
     EXPECT_EQ(steps_of(3002 * start, -2 * start), 9U);
     EXPECT_EQ(steps_of(NAN, 0), 9U);
+    EXPECT_EQ(cluster_summary(run, 10, 2, {{0, NAN, start, 0}}, 1).result.steps, 0U) << "from its start";
 }
 
 TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
