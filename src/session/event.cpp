@@ -22,10 +22,11 @@ bool overtakes(const Event& earlier, const Event& later) {
         return change->held == std::get<event::Change>(earlier).held;
     return std::holds_alternative<event::Seek>(later) || std::holds_alternative<event::SeekTime>(later) ||
            std::holds_alternative<event::SetRate>(later) || std::holds_alternative<event::Track>(later) ||
-           std::holds_alternative<event::ShowEnsemble>(later) || std::holds_alternative<event::ShowForces>(later) ||
-           std::holds_alternative<event::Magnify>(later) || std::holds_alternative<event::ShowSamples>(later) ||
-           std::holds_alternative<event::ShowCosts>(later) || std::holds_alternative<event::ShowErrors>(later) ||
-           std::holds_alternative<event::Play>(later) || std::holds_alternative<event::Loop>(later);
+           std::holds_alternative<event::AlsoTrack>(later) || std::holds_alternative<event::ShowEnsemble>(later) ||
+           std::holds_alternative<event::ShowForces>(later) || std::holds_alternative<event::Magnify>(later) ||
+           std::holds_alternative<event::ShowSamples>(later) || std::holds_alternative<event::ShowCosts>(later) ||
+           std::holds_alternative<event::ShowErrors>(later) || std::holds_alternative<event::Play>(later) ||
+           std::holds_alternative<event::Loop>(later);
 }
 
 }  // namespace steplab

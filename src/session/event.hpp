@@ -61,6 +61,10 @@ struct SetRate {
 struct Track {
     std::optional<std::size_t> particle;
 };
+/// Others that samples tell of besides it, of which there are up to Sample::most_particles in all.
+struct AlsoTrack {
+    std::vector<std::size_t> particles;
+};
 /// Something is done to particles of every run.
 struct Do {
     Act act;
@@ -127,10 +131,10 @@ struct TakeBranch {
 }  // namespace event
 
 using Event = std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart,
-                           event::Begin, event::Change, event::SetRate, event::Track, event::Do, event::Undo,
-                           event::Redo, event::ShowEnsemble, event::ShowForces, event::Magnify, event::ShowErrors,
-                           event::ShowSamples, event::ShowCosts, event::AddRun, event::ChangeRun, event::EqualCost,
-                           event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
+                           event::Begin, event::Change, event::SetRate, event::Track, event::AlsoTrack, event::Do,
+                           event::Undo, event::Redo, event::ShowEnsemble, event::ShowForces, event::Magnify,
+                           event::ShowErrors, event::ShowSamples, event::ShowCosts, event::AddRun, event::ChangeRun,
+                           event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if it is one of these.
 template <class... Kinds>
@@ -143,8 +147,8 @@ void check(const event::Loop& loop);
 
 /// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
 inline bool changes_runs(const Event& event) {
-    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces, event::Magnify,
-                   event::ShowErrors, event::ShowSamples, event::ShowCosts>(event);
+    return !is_any<event::SetRate, event::Loop, event::Track, event::AlsoTrack, event::ShowEnsemble, event::ShowForces,
+                   event::Magnify, event::ShowErrors, event::ShowSamples, event::ShowCosts>(event);
 }
 
 /// True if a recording has it: what changes the runs, and how fast they play.

@@ -85,8 +85,11 @@ struct Playback::Handle {
     void operator()(const event::SetRate& rate) const { of.rate_ = rate.rate; }
     void operator()(const event::Track& track) const {
         of.tracked_ = track.particle;
-        of.samples_.follow(track.particle);
-        of.take_sample();
+        of.follow_tracked();
+    }
+    void operator()(const event::AlsoTrack& track) const {
+        of.also_tracked_ = track.particles;
+        of.follow_tracked();
     }
     void operator()(const event::ShowSamples& show) const {
         of.with_samples_ = show.on;
@@ -189,15 +192,23 @@ void Playback::arrive() {
     take_sample();
 }
 
+void Playback::follow_tracked() {
+    samples_.follow(tracked_particles(tracked_, also_tracked_));
+    take_sample();
+}
+
 void Playback::take_sample() {
     if (with_samples_ && meter_) samples_.put(sample());
 }
 
 Sample Playback::sample() const {
     Sample sample = sample_of(frame_.step, frame_.time, diagnostics_);
-    if (tracked_ && *tracked_ < frame_.positions.size()) {
-        const Tracked now = tracked(*tracked_);
-        sample.particle = {now.displacement, frame_.velocities[*tracked_], now.exact_displacement};
+    for (const std::size_t particle : samples_.followed()) {
+        sample.particles.emplace_back();
+        if (particle >= frame_.positions.size()) continue;
+        const Tracked now = tracked(particle);
+        sample.particles.back() =
+            Sample::Particle{now.displacement, frame_.velocities[particle], now.exact_displacement};
     }
     return sample;
 }
@@ -295,7 +306,8 @@ void Playback::observe(RunView& view) {
         view.conservation = meter_->conservation();
         view.has_exact = meter_->exact() != nullptr;
     }
-    if (tracked_ && *tracked_ < frame_.positions.size()) view.tracked = tracked(*tracked_);
+    tell_of(
+        samples_.followed(), frame_.positions.size(), [this](std::size_t particle) { return tracked(particle); }, view);
     view.playing = playing_;
     view.can_step_back = number_ > 0;
     view.rate = rate_;

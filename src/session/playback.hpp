@@ -82,6 +82,7 @@ private:
     void observe(RunView& view);
     Tracked tracked(std::size_t particle) const;
     Sample sample() const;
+    void follow_tracked();
     void take_sample();
 
     std::string file_;
@@ -102,6 +103,7 @@ private:
     std::optional<StepRange> loop_;
     Rate rate_;
     std::optional<std::size_t> tracked_;
+    std::vector<std::size_t> also_tracked_;
     bool with_forces_ = false, with_samples_ = false;
     double magnified_ = 1;
     RunSamples samples_{0};  ///< of the frames that were gone to

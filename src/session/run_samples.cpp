@@ -9,14 +9,27 @@ namespace {
 /// A sample takes as long as some steps of a cheap method; of a scene so large it is taken at every step still.
 constexpr std::size_t particles_at_every_step = 5000;
 
-Sample sample_of(const Simulation& run, std::optional<std::size_t> particle) {
-    const Diagnostics measured = run.diagnostics();
-    Sample sample = steplab::sample_of(run.step(), run.time(), measured);
-    if (!particle || *particle >= run.particles()) return sample;
-    sample.particle = {run.displacement(*particle), run.state().velocity.at(*particle)};
-    if (const auto exact = run.exact_motion(*particle))
-        sample.particle->exact_displacement = exact->displacement(run.time());
+Sample::Particle particle_of(const Simulation& run, std::size_t particle) {
+    const auto exact = run.exact_motion(particle);
+    return {run.displacement(particle), run.state().velocity.at(particle),
+            exact ? exact->displacement(run.time()) : std::nullopt};
+}
+
+Sample sample_of(const Simulation& run, const TrackedParticles& particles) {
+    Sample sample = steplab::sample_of(run.step(), run.time(), run.diagnostics());
+    for (const std::size_t particle : particles) sample.particles.emplace_back(particle_of(run, particle));
     return sample;
+}
+
+/// What a sample of some particles tells of others.
+void retell(Sample& sample, const TrackedParticles& before, const TrackedParticles& now) {
+    std::vector<std::optional<Sample::Particle>> found(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const auto place = std::find(before.begin(), before.end(), now[i]);
+        if (const auto* const known = sample.particle(static_cast<std::size_t>(place - before.begin())))
+            found[i] = *known;
+    }
+    sample.particles = std::move(found);
 }
 
 }  // namespace
@@ -32,6 +45,16 @@ Sample sample_of(std::uint64_t step, double time, const Diagnostics& measured) {
             .error = measured.error};
 }
 
+TrackedParticles tracked_particles(std::optional<std::size_t> first, std::span<const std::size_t> others) {
+    if (!first) return {};
+    TrackedParticles all{*first};
+    for (const std::size_t other : others) {
+        if (all.size() < Sample::most_particles && std::find(all.begin(), all.end(), other) == all.end())
+            all.push_back(other);
+    }
+    return all;
+}
+
 std::uint64_t first_spacing(std::size_t particles) {
     return std::bit_ceil(std::max<std::size_t>(1, particles / particles_at_every_step));
 }
@@ -39,14 +62,22 @@ std::uint64_t first_spacing(std::size_t particles) {
 bool RunSamples::wants(std::uint64_t step) const {
     if (!rows_.belongs(step)) return false;
     const Sample* const known = rows_.at(step);
-    return !known || (particle_ && !known->particle);
+    return !known || !is_whole(*known);
+}
+
+/// True if it tells of all particles that are followed.
+bool RunSamples::is_whole(const Sample& sample) const {
+    for (std::size_t place = 0; place < particles_.size(); ++place) {
+        if (!sample.particle(place)) return false;
+    }
+    return true;
 }
 
 void RunSamples::offer(const Simulation& run) {
-    if (wants(run.advanced().step)) put(sample_of(run, particle_));
+    if (wants(run.advanced().step)) put(sample_of(run, particles_));
 }
 
-void RunSamples::take_again(const Simulation& run) { rows_.put(sample_of(run, particle_)); }
+void RunSamples::take_again(const Simulation& run) { rows_.put(sample_of(run, particles_)); }
 
 void RunSamples::put(const Sample& sample) {
     if (wants(sample.step)) rows_.put(sample);
@@ -59,10 +90,8 @@ void RunSamples::take(const RunSamples& same, std::uint64_t until) {
     }
 }
 
-void RunSamples::append(std::vector<Sample> samples, std::optional<std::size_t> followed) {
-    for (Sample& sample : samples) {
-        if (followed != particle_) sample.particle.reset();
-    }
+void RunSamples::append(std::vector<Sample> samples, const TrackedParticles& followed) {
+    for (Sample& sample : samples) retell(sample, followed, particles_);
     rows_.append(samples);
 }
 
@@ -72,13 +101,13 @@ bool RunSamples::lack(std::uint64_t until) const {
                                       [](std::uint64_t step, const Sample& sample) { return step < sample.step; });
     const auto known = static_cast<std::uint64_t>(end - all.begin());
     return known < until / spacing() + 1 ||
-           (particle_ && std::any_of(all.begin(), end, [](const Sample& sample) { return !sample.particle; }));
+           std::any_of(all.begin(), end, [this](const Sample& sample) { return !is_whole(sample); });
 }
 
-void RunSamples::follow(std::optional<std::size_t> particle) {
-    if (particle == particle_) return;
-    particle_ = particle;
-    rows_.edit([](Sample& sample) { sample.particle.reset(); });
+void RunSamples::follow(const TrackedParticles& particles) {
+    if (particles == particles_) return;
+    rows_.edit([&](Sample& sample) { retell(sample, particles_, particles); });
+    particles_ = particles;
 }
 
 }  // namespace steplab

@@ -15,7 +15,7 @@ namespace steplab {
 
 /// What plots show of a run at one of its steps.
 struct Sample {
-    /// Of the particle that is followed.
+    /// Of a particle that is followed.
     struct Particle {
         Vec3 displacement;  ///< from its rest position, or its first one where it has none [m]
         Vec3 velocity;      ///< [m/s]
@@ -30,15 +30,27 @@ struct Sample {
     Vec3 momentum;            ///< [kg m/s]
     double largest_displacement = 0;
     std::optional<double> error = {};  ///< largest distance of a particle from the exact solution [m]
-    std::optional<Particle> particle = {};
+    static constexpr std::size_t most_particles = 8;
+    std::vector<std::optional<Particle>> particles = {};  ///< in their order; those at the end may be missing
+
+    /// Of the one in this place; null: not known.
+    const Particle* particle(std::size_t place = 0) const {
+        return place < particles.size() && particles[place] ? &*particles[place] : nullptr;
+    }
 };
+
+/// The numbers of the particles that samples tell of: first the one that views tell about.
+using TrackedParticles = std::vector<std::size_t>;
+
+/// Up to Sample::most_particles, each once; none without a first one.
+TrackedParticles tracked_particles(std::optional<std::size_t> first, std::span<const std::size_t> others);
 
 /// One without a particle.
 Sample sample_of(std::uint64_t step, double time, const Diagnostics& measured);
 
 using SampleSeries = SampleSeriesOf<Sample>;
 
-/// Samples of a run, with what a particle does.
+/// Samples of a run, with what some particles do.
 class RunSamples {
 public:
     static constexpr std::size_t most = StepSamples<Sample>::most;
@@ -58,26 +70,27 @@ public:
     void put(const Sample& sample);
     /// Takes over those of the same run up to this step that are not known, and is no denser than they are.
     void take(const RunSamples& same, std::uint64_t until);
-    /// From now on a particle is followed; what is known of another one is forgotten.
-    void follow(std::optional<std::size_t> particle);
-    std::optional<std::size_t> followed() const { return particle_; }
+    /// From now on these particles of the run are followed; what is known of others is forgotten.
+    void follow(const TrackedParticles& particles);
+    const TrackedParticles& followed() const { return particles_; }
     /// Takes away those that lie behind this step.
     std::vector<Sample> cut(std::uint64_t step) { return rows_.cut(step + 1); }
     /// Takes all away: the start has become another.
     void clear() { rows_.cut(0); }
-    /// True if one that belongs up to this step is not known, or not of the particle that is followed.
+    /// True if one that belongs up to this step is not known, or not of all particles that are followed.
     bool lack(std::uint64_t until) const;
-    /// Puts such back, that told of this particle.
-    void append(std::vector<Sample> samples, std::optional<std::size_t> followed);
+    /// Puts such back, that told of these particles.
+    void append(std::vector<Sample> samples, const TrackedParticles& followed);
     std::span<const Sample> all() const { return rows_.all(); }
     /// Copies what is new there.
     void put_into(SampleSeries& series) const { rows_.put_into(series); }
 
 private:
     bool wants(std::uint64_t step) const;
+    bool is_whole(const Sample& sample) const;
 
     StepSamples<Sample> rows_;
-    std::optional<std::size_t> particle_;
+    TrackedParticles particles_;
 };
 
 }  // namespace steplab

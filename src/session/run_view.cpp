@@ -20,14 +20,14 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
 
 }  // namespace
 
-void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
+void observe(const Simulation& simulation, const TrackedParticles& tracked, RunView& view) {
     view.divergence = simulation.divergence();
     view.description = simulation.description();
     view.diagnostics = simulation.observe(view.frame);
     view.energy_error = energy_error_of(simulation);
     view.evaluations = simulation.evaluations();
-    view.tracked.reset();
-    if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
+    tell_of(
+        tracked, simulation.particles(), [&](std::size_t i) { return tracked_now(simulation, view.frame, i); }, view);
     view.limit = simulation.limit();
     view.resolution = simulation.resolution();
     view.facts = facts_of(view.description);
@@ -46,12 +46,29 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.opening_dt = opening_dt(view.description);
 }
 
+void tell_of(const TrackedParticles& tracked, std::size_t count,
+             const std::function<Tracked(std::size_t particle)>& known, RunView& view) {
+    view.tracked.reset();
+    view.also_tracked.clear();
+    for (const std::size_t particle : tracked) {
+        if (particle >= count) continue;
+        if (view.tracked) {
+            view.also_tracked.push_back(known(particle));
+        } else {
+            view.tracked = known(particle);
+        }
+    }
+}
+
 Sample sample_of(const RunView& view) {
     Sample sample = sample_of(view.frame.step, view.frame.time, view.diagnostics);
-    if (!view.tracked) return sample;
-    const Tracked& tracked = *view.tracked;
-    if (tracked.particle < view.frame.velocities.size())
-        sample.particle = {tracked.displacement, view.frame.velocities[tracked.particle], tracked.exact_displacement};
+    const auto add = [&](const Tracked& tracked) {
+        if (tracked.particle < view.frame.velocities.size())
+            sample.particles.emplace_back(Sample::Particle{
+                tracked.displacement, view.frame.velocities[tracked.particle], tracked.exact_displacement});
+    };
+    if (view.tracked) add(*view.tracked);
+    for (const Tracked& tracked : view.also_tracked) add(tracked);
     return sample;
 }
 
@@ -63,9 +80,13 @@ std::size_t first_followed(const Shape& shape) {
     return shape.roles.size() - 1;
 }
 
-RunView view_of(const Simulation& simulation, std::optional<std::size_t> particle) {
+RunView view_of(const Simulation& simulation, std::optional<std::size_t> tracked) {
+    return view_of(simulation, tracked_particles(tracked, {}));
+}
+
+RunView view_of(const Simulation& simulation, const TrackedParticles& tracked) {
     RunView view;
-    observe(simulation, particle, view);
+    observe(simulation, tracked, view);
     return view;
 }
 

@@ -8,6 +8,7 @@
 #include "sim/run/simulation.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +48,9 @@ struct RunView {
     Frame frame;
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
-    SampleSeries series;  ///< of the whole way of the run, if samples are wanted
-    SpreadSeries spread;  ///< of the ensemble on that way
+    std::vector<Tracked> also_tracked;  ///< others that samples tell of, in their order
+    SampleSeries series;                ///< of the whole way of the run, if samples are wanted
+    SpreadSeries spread;                ///< of the ensemble on that way
     /// E - E0, the work of drag counted in; none where drag takes energy and its work is not counted.
     std::optional<double> energy_error;
     std::uint64_t evaluations = 0;  ///< of the force since the start
@@ -81,8 +83,12 @@ struct RunView {
     std::uint64_t failures = 0;  ///< how many commands were refused so far
 };
 
-/// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
-void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
+/// Fills in everything of `view` that the simulation knows, reusing its memory, and about tracked particles.
+void observe(const Simulation& simulation, const TrackedParticles& tracked, RunView& view);
+
+/// Puts what is known of tracked particles into the view of a run of so many; numbers beyond them are left out.
+void tell_of(const TrackedParticles& tracked, std::size_t count,
+             const std::function<Tracked(std::size_t particle)>& known, RunView& view);
 
 /// What plots show of the moment of a view. Without velocities, that of the particle is 0.
 Sample sample_of(const RunView& view);
@@ -92,5 +98,6 @@ std::size_t first_followed(const Shape& shape);
 
 /// The view of a run that stands still.
 RunView view_of(const Simulation& simulation, std::optional<std::size_t> tracked = std::nullopt);
+RunView view_of(const Simulation& simulation, const TrackedParticles& tracked);
 
 }  // namespace steplab

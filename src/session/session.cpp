@@ -32,6 +32,7 @@ struct Session::Handle {
     void operator()(const event::Change& change) const { session.change(change); }
     void operator()(const event::SetRate& rate) const { session.rate_ = rate.rate; }
     void operator()(const event::Track& track) const { session.tracked_ = track.particle; }
+    void operator()(const event::AlsoTrack& track) const { session.also_tracked_ = track.particles; }
     void operator()(const event::Do& act) const { session.act(act.act); }
     void operator()(const event::Undo&) const { session.undo(); }
     void operator()(const event::Redo&) const { session.redo(); }
@@ -52,7 +53,7 @@ struct Session::Handle {
 
 void Session::handle(const Event& event) {
     recording_&& is_recorded(event) ? handle_and_record(event) : std::visit(Handle{*this}, event);
-    line_.sample(with_samples_, tracked_);  // also of a run that began
+    line_.sample(with_samples_, tracked());  // also of a run that began
     for (FollowerRun& each : followers_) each.line().sample_as(line_);
     sample_spread();
     look_for_lacking(event);

@@ -138,6 +138,7 @@ private:
     void bookmark(const std::string& text);
     TimeLineView line_view() const;
     void show_ensemble(const LiveEnsembleOptions& asked);
+    TrackedParticles tracked() const { return tracked_particles(tracked_, also_tracked_); }
     void sample_spread();
     void look_for_lacking(const Event& event);
     bool ensemble_is_beside() const;
@@ -195,6 +196,7 @@ private:
     Rate rate_;
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
+    std::vector<std::size_t> also_tracked_;
     bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
     LateSamples late_;
     bool lacking_ = false;  ///< samples may be

@@ -24,7 +24,7 @@ double smooth_since(std::span<const SegmentBegin> past) {
 
 void Session::observe(SessionView& view) const {
     RunView& leading = view.leading;
-    steplab::observe(run(), tracked_, leading);
+    steplab::observe(run(), tracked(), leading);
     if (with_forces_) run().forces(leading.frame.forces);
     leading.frame.magnified = magnified_;
     line_.put_samples_into(leading.series);
@@ -41,7 +41,7 @@ void Session::observe(SessionView& view) const {
     leading.smooth_since = smooth_since(line_.past());
     view.followers.resize(followers_.size());
     for (std::size_t i = 0; i < followers_.size(); ++i) {
-        steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
+        steplab::observe(followers_[i].run(), tracked(), view.followers[i]);
         view.followers[i].frame.magnified = magnified_;
         view.followers[i].swatch = followers_[i].swatch();
         followers_[i].line().put_samples_into(view.followers[i].series);

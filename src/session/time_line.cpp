@@ -67,17 +67,18 @@ void TimeLine::take_steps(std::uint64_t steps) {
     simulated_ = simulated_ * fading + taken * std::abs(run_.dt());
 }
 
-void TimeLine::sample(bool on, std::optional<std::size_t> particle) {
+void TimeLine::sample(bool on, TrackedParticles particles) {
     if (!on) return samples_.reset();
-    if (samples_ && samples_->followed() == particle && run_.step() > 0) return;  // the start may have become another
+    std::erase_if(particles, [this](std::size_t particle) { return particle >= run_.particles(); });
+    if (samples_ && samples_->followed() == particles && run_.step() > 0) return;  // the start may have become another
     if (!samples_) samples_.emplace(run_.particles());
-    samples_->follow(particle);
+    samples_->follow(particles);
     const bool changed_here = taken_ > 1 && changes_[taken_ - 1].step == run_.step();
     if (!changed_here || run_.step() == 0) samples_->offer(run_);  // samples are of before a change
 }
 
 void TimeLine::sample_as(const TimeLine& other) {
-    sample(other.samples_.has_value(), other.samples_ ? other.samples_->followed() : std::nullopt);
+    sample(other.samples_.has_value(), other.samples_ ? other.samples_->followed() : TrackedParticles());
 }
 
 void TimeLine::take_samples(const TimeLine& same) {

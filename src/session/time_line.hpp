@@ -75,8 +75,8 @@ public:
         std::uint64_t fork = 0;  ///< the step where it left the way that followed
         std::uint64_t reached = 0;
         double reached_time = 0;
-        std::vector<Sample> samples = {};          ///< behind the fork
-        std::optional<std::size_t> followed = {};  ///< the particle that they tell of
+        std::vector<Sample> samples = {};  ///< behind the fork
+        TrackedParticles followed = {};    ///< the particles that they tell of
     };
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
@@ -96,8 +96,8 @@ public:
     /// returned.
     std::optional<Branch> take(Branch branch);
 
-    /// Whether samples are taken on its way from now on, and what particle they tell of.
-    void sample(bool on, std::optional<std::size_t> particle = std::nullopt);
+    /// Whether samples are taken on its way from now on, and what particles they tell of: those that there are.
+    void sample(bool on, TrackedParticles particles = {});
     /// The same as another one.
     void sample_as(const TimeLine& other);
     /// True if samples are taken, and one up to this step is not known.

@@ -136,8 +136,8 @@ void Worker::Body::handle(const Event& event) {
     }
     note_pause();
     session->handle(event);
-    if (is_any<event::Track, event::ShowForces, event::Magnify, event::ShowSamples, event::ShowCosts, event::Bookmark>(
-            event))
+    if (is_any<event::Track, event::AlsoTrack, event::ShowForces, event::Magnify, event::ShowSamples, event::ShowCosts,
+               event::Bookmark>(event))
         return;
     if (changes_speed(event)) pace.forget_speed();
     pace.begin(Clock::now());

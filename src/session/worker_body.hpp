@@ -75,9 +75,9 @@ struct Worker::Body {
     std::optional<Doubt> found;    // where `doubtful` began
     std::size_t hashed;
     std::uint64_t runs_before = 0, newest_run = 0;  // runs have other numbers than those of what was played before
-    std::array<Event, 6> kept_events{event::SetRate{},          event::Track{},
-                                     event::ShowForces{false},  event::Magnify{},
-                                     event::ShowSamples{false}, event::ShowCosts{false}};  // what stays from then
+    std::array<Event, 7> kept_events{event::SetRate{},         event::Track{},   event::AlsoTrack{},
+                                     event::ShowForces{false}, event::Magnify{}, event::ShowSamples{false},
+                                     event::ShowCosts{false}};  // what stays from then
     /// The wall clock of frames that are played: when it showed so many seconds behind the first one.
     struct Since {
         Clock::time_point now{};

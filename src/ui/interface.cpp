@@ -186,8 +186,8 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     Input::steer(io, purpose == Purpose::use && body.state.steering && !io.WantTextInput);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
-    body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
-    body.new_view = false;
+    const bool is_new = std::exchange(body.new_view, false);
+    body.state.wanted.follow(view.leading, is_new, view.playback.has_value());
     Display above = body.display;  // the caption
     if (caption) above.height -= caption_height(view, *caption);
     body.layout = purpose == Purpose::scene_still
@@ -200,6 +200,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
                           body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
+        if (is_new) body.state.selection.follow(view.leading, events);
         body.follower.follow(context);
         leave_to_pointer(context);
         perform_pressed_keys(context);

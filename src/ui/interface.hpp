@@ -53,6 +53,8 @@ public:
     /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual. `scenes`:
     /// the page of scenes is open.
     void open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes = false);
+    /// The particles that are selected besides that one.
+    void select_too(const ParticleList& others);
     /// What a person chose before, but for what the style says; `remembered`: with which the next window opens.
     void use(const ViewChoices& choices, const ViewChoices& remembered);
     /// What a person chose by now. What the file of a scene chose in the style is left out.

@@ -14,6 +14,8 @@ void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> 
     body_->state.scenes.open = scenes;
 }
 
+void Interface::select_too(const ParticleList& others) { body_->state.selection = Selection(others); }
+
 void Interface::use(const ViewChoices& choices, const ViewChoices& remembered) {
     InterfaceState& state = body_->state;
     state.scale = choices.scale;

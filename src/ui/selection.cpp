@@ -64,6 +64,16 @@ void Selection::take(std::span<const std::size_t> particles, bool added, const R
     events.send(event::Track{first});
 }
 
+void Selection::follow(const RunView& view, EventSink& events) const {
+    if (!view.tracked) return;
+    TrackedParticles wanted = tracked_particles(view.tracked->particle, all(view));
+    wanted.erase(wanted.begin());
+    const auto is_it = [](const Tracked& one, std::size_t particle) { return one.particle == particle; };
+    const auto& known = view.also_tracked;
+    if (!std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), is_it))
+        events.send(event::AlsoTrack{std::move(wanted)});
+}
+
 double mass_of(const RunView& view, std::size_t particle) {
     if (const auto altered = view.description.alterations.of(particle).mass) return *altered;
     const auto& masses = view.frame.shape->masses;

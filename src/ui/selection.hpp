@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace steplab::ui {
@@ -12,6 +13,10 @@ namespace steplab::ui {
 /// The particles that are selected: first the one that views tell about (event::Track), then others.
 class Selection {
 public:
+    Selection() = default;
+    /// These besides the first one.
+    explicit Selection(ParticleList others) : others_(std::move(others)) {}
+
     /// Those besides the first one.
     const ParticleList& others() const { return others_; }
     std::vector<std::size_t> all(const RunView& view) const;
@@ -23,6 +28,8 @@ public:
     void toggle(std::size_t particle, const RunView& view, EventSink& events);
     /// These in place of those before, or, if `added`, besides. The first one stays it where it is among them.
     void take(std::span<const std::size_t> particles, bool added, const RunView& view, EventSink& events);
+    /// Has the samples tell of the others, too (event::AlsoTrack), if those of the view do not.
+    void follow(const RunView& view, EventSink& events) const;
     /// None but the first one.
     void clear() { others_ = {}; }
 

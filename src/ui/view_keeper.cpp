@@ -15,7 +15,7 @@ void ViewKeeper::keep(const Context& context) {
     const std::size_t particles = view.frame.shape->roles.size();
     if (first ? !view.tracked : other_scene || (other_shape && shape_->roles.size() != particles)) {
         const std::size_t usual = first_followed(*view.frame.shape);
-        context.state.selection.clear();
+        if (!first) context.state.selection.clear();
         context.events.send(event::Track{first ? context.state.first_selected.value_or(usual) : usual});
     }
     place_camera(context, first, other_scene, other_shape);

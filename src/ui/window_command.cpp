@@ -33,6 +33,18 @@ std::string plot_words(const PlotsState& plots) {
     return words;
 }
 
+/// As a list of particles, "9,0-3", the first one first.
+std::string list_of(std::size_t first, const ParticleList& others) {
+    std::string list = std::to_string(first);
+    for (const std::size_t* from = others.begin(); from != others.end();) {
+        const std::size_t* to = from;
+        while (to + 1 != others.end() && *(to + 1) == *to + 1) ++to;
+        list += from == to ? fmt::format(",{}", *from) : fmt::format(",{}-{}", *from, *to);
+        from = to + 1;
+    }
+    return list;
+}
+
 void add_moment(CommandLine& line, const Context& context) {
     if (!command_repeats_run(context)) return;
     const std::uint64_t step = context.view.frame.step;
@@ -74,8 +86,9 @@ void add_picture(CommandLine& line, const Context& context) {
     line.add_unless(!context.state.trail, "--trail", "on");
     line.add_unless(style.displacements == 1, "--displacements", number_text(style.displacements));
     const auto& tracked = context.view.tracked;
-    if (tracked && tracked->particle != first_followed(*frame.shape))
-        line.add("--particle", std::to_string(tracked->particle));
+    const ParticleList& others = context.state.selection.others();
+    if (tracked && (tracked->particle != first_followed(*frame.shape) || !others.empty()))
+        line.add("--particle", list_of(tracked->particle, others));
 }
 
 /// What stands below the scene, and below saved pictures.

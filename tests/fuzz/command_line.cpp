@@ -76,7 +76,7 @@ void read_run(const std::vector<std::string>& words) {
     output.check();
     const double particles = model_of(run).particles(run.scene);
     if (!output.particles.empty() && particles < 1e5)
-        parse_particles(output.particles, static_cast<std::size_t>(particles));
+        parse_particles("--particles", output.particles, static_cast<std::size_t>(particles));
 }
 
 void read_snapshot(const std::vector<std::string>& words) {

@@ -117,8 +117,9 @@ TEST_F(Snapshot, same_run_gives_the_same_bytes_with_the_panel_too) {
 TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
     ASSERT_EQ(snapshot({"--size", "320x180", "--out", "a.png"}).code, 0);
     const std::vector<std::vector<std::string>> others{
-        {"--steps", "20"},   {"--view", "top"},   {"--colour", "speed"},      {"--background", "light"},
-        {"--particle", "3"}, {"--model", "rope"}, {"--view", "1,2,30,4,5,6"}, {"--scale", "2"}};
+        {"--steps", "20"},         {"--view", "top"},          {"--colour", "speed"},
+        {"--background", "light"}, {"--particle", "3"},        {"--particle", "3,5-7"},
+        {"--model", "rope"},       {"--view", "1,2,30,4,5,6"}, {"--scale", "2"}};
     for (std::vector<std::string> other : others) {
         other.insert(other.end(), {"--size", "320x180", "--out", "b.png"});
         ASSERT_EQ(snapshot(other).code, 0) << other[0];
@@ -265,14 +266,23 @@ TEST_F(Snapshot, goes_to_standard_output_if_asked) {
 
 TEST_F(Snapshot, wrong_values_are_wrong_usage_and_write_nothing) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-        {{"--size", "0x100"}, "8192"},    {{"--size", "8193x100"}, "8192"},
-        {{"--size", "100"}, "1280x720"},  {{"--size", "1e3x100"}, "1280x720"},
-        {{"--size", "-5x5"}, "1280x720"}, {{"--ui", "maybe"}, "on"},
-        {{"--gl", "glx"}, "osmesa"},      {{"--view", "left"}, "front"},
-        {{"--colour", "red"}, "speed"},   {{"--background", "pink"}, "light"},
-        {{"--particle", "100"}, "99"},    {{"--particle", "-1"}, "--particle"},
-        {{"--scale", "0"}, "0.5"},        {{"--steps", "-1"}, "--steps"},
-        {{"--model", "mash"}, "mesh"},    {{"--ui", "on", "--size", "399x300"}, "400x300"}};
+        {{"--size", "0x100"}, "8192"},
+        {{"--size", "8193x100"}, "8192"},
+        {{"--size", "100"}, "1280x720"},
+        {{"--size", "1e3x100"}, "1280x720"},
+        {{"--size", "-5x5"}, "1280x720"},
+        {{"--ui", "maybe"}, "on"},
+        {{"--gl", "glx"}, "osmesa"},
+        {{"--view", "left"}, "front"},
+        {{"--colour", "red"}, "speed"},
+        {{"--background", "pink"}, "light"},
+        {{"--particle", "100"}, "99"},
+        {{"--particle", "3,"}, "9,0-3"},
+        {{"--particle", "-1"}, "--particle"},
+        {{"--scale", "0"}, "0.5"},
+        {{"--steps", "-1"}, "--steps"},
+        {{"--model", "mash"}, "mesh"},
+        {{"--ui", "on", "--size", "399x300"}, "400x300"}};
     for (auto [arguments, right] : cases) {
         const std::string wrong = arguments[0] + " " + arguments[1];
         arguments.insert(arguments.end(), {"--out", "a.png"});

@@ -44,9 +44,9 @@ void expect_same(const std::vector<Rows>& a, const std::vector<Rows>& b) {
             ASSERT_EQ(a[run][i].step, b[run][i].step);
             EXPECT_EQ(a[run][i].time, b[run][i].time);
             EXPECT_EQ(a[run][i].energy_error, b[run][i].energy_error);
-            ASSERT_EQ(a[run][i].particle.has_value(), b[run][i].particle.has_value());
-            if (a[run][i].particle) {
-                EXPECT_EQ(a[run][i].particle->displacement, b[run][i].particle->displacement);
+            ASSERT_EQ(a[run][i].particle() != nullptr, b[run][i].particle() != nullptr);
+            if (a[run][i].particle()) {
+                EXPECT_EQ(a[run][i].particle()->displacement, b[run][i].particle()->displacement);
             }
         }
     }
@@ -103,7 +103,7 @@ TEST_P(Late, samples_of_another_particle_are_those_that_it_has_when_it_is_follow
     for (Session* const each : {&session, &always}) play(*each);
     const std::string before = session.run().hash();
     session.handle(event::Track{3});
-    EXPECT_FALSE(samples_of(session)[0].front().particle) << "they are not known yet";
+    EXPECT_FALSE(samples_of(session)[0].front().particle()) << "they are not known yet";
     complete(session);
     expect_same(samples_of(session), samples_of(always));
     EXPECT_EQ(session.run().hash(), before) << "the run stands where it was";
@@ -243,7 +243,7 @@ TEST_P(Late, samples_come_also_where_there_is_never_time) {
         ASSERT_LT(pieces, 5000);
         session.complete_samples([] { return true; });
     }
-    EXPECT_TRUE(samples_of(session)[1].front().particle);
+    EXPECT_TRUE(samples_of(session)[1].front().particle());
 }
 
 // What runs beside would have done on a way that was left is not shown on the new one.

@@ -14,7 +14,7 @@ namespace {
 /// True if they begin at the start and end at this step, all of them with the particle.
 bool are_complete(const SampleSeries& series, std::uint64_t last) {
     const auto& samples = series.samples;
-    const auto tells = [](const Sample& sample) { return sample.particle.has_value(); };
+    const auto tells = [](const Sample& sample) { return sample.particle() != nullptr; };
     return samples.front().step == 0 && samples.back().step == last &&
            std::all_of(samples.begin(), samples.end(), tells);
 }

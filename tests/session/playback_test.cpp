@@ -141,7 +141,8 @@ std::map<std::size_t, Event> events_of_all_kinds() {
                                  event::AddRun{other},    event::ChangeRun{1, other},
                                  event::EqualCost{true},  event::RemoveRun{1},
                                  event::Lead{1},          event::Bookmark{},
-                                 event::TakeBranch{0},    event::Magnify{3}};
+                                 event::TakeBranch{0},    event::Magnify{3},
+                                 event::AlsoTrack{{1}}};
     std::map<std::size_t, Event> events;
     for (const Event& event : all) events.emplace(event.index(), event);
     return events;
@@ -153,9 +154,9 @@ TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else
     ASSERT_EQ(events.size(), std::variant_size_v<Event>) << "a kind of event is not tested";
     for (const auto& [kind, event] : events) {
         Playback playback(written.path);
-        const bool possible =
-            is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::SetRate,
-                   event::Track, event::ShowForces, event::Magnify, event::ShowSamples, event::Bookmark>(event);
+        const bool possible = is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime,
+                                     event::Restart, event::SetRate, event::Track, event::AlsoTrack, event::ShowForces,
+                                     event::Magnify, event::ShowSamples, event::Bookmark>(event);
         go_to(playback, 9);
         if (possible) {
             EXPECT_NO_THROW(playback.handle(event)) << "event " << kind;
@@ -210,8 +211,8 @@ TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
     for (const Sample& sample : samples) {
         simulation.advance(sample.step - simulation.step());
         EXPECT_EQ(sample.kinetic, simulation.diagnostics().kinetic);
-        ASSERT_TRUE(sample.particle);
-        EXPECT_EQ(sample.particle->velocity, simulation.frame().velocities[5]);
+        ASSERT_TRUE(sample.particle());
+        EXPECT_EQ(sample.particle()->velocity, simulation.frame().velocities[5]);
     }
 }
 

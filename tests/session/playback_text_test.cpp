@@ -110,7 +110,7 @@ TEST(Playback, of_text_leaves_nothing_in_the_view_of_a_run) {
     ASSERT_TRUE(view.leading.frame.values && view.leading.frame.cell);
     EXPECT_EQ(view.leading.frame.values->front(), (ParticleValues{"charge", {0.5}}));
     EXPECT_EQ(played_start(file.name()).columns, std::vector<std::string>{"charge"});
-    observe(Simulation(played_chain()), std::nullopt, view.leading);
+    observe(Simulation(played_chain()), TrackedParticles(), view.leading);
     EXPECT_EQ(view.leading.frame.values, nullptr);
     EXPECT_FALSE(view.leading.frame.cell);
 }

@@ -34,10 +34,10 @@ void expect_same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
         EXPECT_EQ(a[i].kinetic, b[i].kinetic);
         EXPECT_EQ(a[i].potential, b[i].potential);
         EXPECT_EQ(a[i].energy_error, b[i].energy_error);
-        ASSERT_EQ(a[i].particle.has_value(), b[i].particle.has_value());
-        if (a[i].particle) {
-            EXPECT_EQ(a[i].particle->displacement, b[i].particle->displacement);
-            EXPECT_EQ(a[i].particle->velocity, b[i].particle->velocity);
+        ASSERT_EQ(a[i].particle() != nullptr, b[i].particle() != nullptr);
+        if (a[i].particle()) {
+            EXPECT_EQ(a[i].particle()->displacement, b[i].particle()->displacement);
+            EXPECT_EQ(a[i].particle()->velocity, b[i].particle()->velocity);
         }
     }
 }
@@ -64,14 +64,14 @@ TEST(RunSamples, tell_how_far_a_particle_is_from_where_it_belongs) {
         SessionView view;
         session.observe(view);
         const Sample& now = view.leading.series.samples.back();
-        ASSERT_TRUE(now.particle);
+        ASSERT_TRUE(now.particle());
         const Frame& frame = view.leading.frame;
         const Vec3 place = frame.positions[last], rest = frame.shape->rest[last];
         const double rounding = run.precision == Precision::float_ ? 1e-7 : 1e-15;
         const double digit = rounding * (length(place) + length(rest) + frame.shape->spacing);
-        EXPECT_LE(length(now.particle->displacement - (place - rest)), digit);
-        if (now.particle->exact_displacement) {
-            EXPECT_LE(length(now.particle->displacement - *now.particle->exact_displacement), *now.error + digit);
+        EXPECT_LE(length(now.particle()->displacement - (place - rest)), digit);
+        if (now.particle()->exact_displacement) {
+            EXPECT_LE(length(now.particle()->displacement - *now.particle()->exact_displacement), *now.error + digit);
         }
     }
 }
@@ -123,7 +123,7 @@ TEST(RunSamples, are_what_the_run_says_at_their_steps) {
         ASSERT_EQ(sample.step, alone.step());
         EXPECT_EQ(sample.energy_error, now.energy_error);
         EXPECT_EQ(sample.kinetic + sample.potential, now.energy);
-        EXPECT_EQ(sample.particle->velocity, alone.frame().velocities[0]);
+        EXPECT_EQ(sample.particle()->velocity, alone.frame().velocities[0]);
         alone.advance(1);
     }
 }
@@ -175,13 +175,67 @@ TEST(RunSamples, of_another_particle_are_taken_from_now_on) {
     session.handle(event::Track{3});
     session.advance(10);
     const auto samples = samples_of(session);
-    EXPECT_FALSE(samples[5].particle);
-    EXPECT_TRUE(samples[15].particle);
+    EXPECT_FALSE(samples[5].particle());
+    EXPECT_TRUE(samples[15].particle());
     session.handle(event::Seek{0});
     session.finish();
     session.handle(event::Seek{20});
     session.finish();
-    EXPECT_TRUE(samples_of(session)[5].particle) << "and where it is gone through again";
+    EXPECT_TRUE(samples_of(session)[5].particle()) << "and where it is gone through again";
+}
+
+/// What samples tell of the particle in a place, as of the only one.
+std::vector<Sample> told_of(std::vector<Sample> samples, std::size_t place) {
+    for (Sample& sample : samples) sample.particles = {sample.particles.at(place)};
+    return samples;
+}
+
+TEST(RunSamples, of_several_particles_are_what_each_alone_has) {
+    for (const char* const model : {"chain", "morse", "mesh"}) {
+        Session session = sampled(run_of(model, "rk4", Precision::double_, 0.1, {}));
+        session.handle(event::Track{3});
+        session.handle(event::AlsoTrack{{7, 1, 3, 900'000'000}});
+        session.advance(20);
+        ASSERT_EQ(samples_of(session).front().particles.size(), 3u) << "each once, of those that there are";
+        for (const auto& [place, particle] : {std::pair(0, 3), std::pair(1, 7), std::pair(2, 1)}) {
+            SCOPED_TRACE(particle);
+            Session alone = sampled(session.run().description());
+            alone.handle(event::Track{particle});
+            alone.advance(20);
+            expect_same(told_of(samples_of(session), static_cast<std::size_t>(place)), samples_of(alone));
+        }
+    }
+}
+
+TEST(RunSamples, of_a_particle_stay_while_others_come_and_go) {
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 0.1, {}));
+    session.handle(event::AlsoTrack{{5}});
+    session.advance(20);
+    const auto both = samples_of(session);
+    session.handle(event::Track{5});
+    expect_same(samples_of(session), told_of(both, 1));
+    session.handle(event::AlsoTrack{{2}});
+    expect_same(told_of(samples_of(session), 0), told_of(both, 1));
+    EXPECT_FALSE(samples_of(session)[4].particle(1)) << "that of particle 2 is not known yet";
+    while (session.lacks_samples()) session.complete_samples([] { return false; });
+    Session always = sampled(session.run().description());
+    always.handle(event::Track{5});
+    always.handle(event::AlsoTrack{{2}});
+    always.advance(20);
+    for (const std::size_t place : {0U, 1U})
+        expect_same(told_of(samples_of(session), place), told_of(samples_of(always), place));
+}
+
+TEST(RunSamples, tell_of_so_many_particles_at_most) {
+    std::vector<std::size_t> many;
+    for (std::size_t i = 1; i < 30; ++i) many.push_back(i);
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 40}}));
+    session.handle(event::AlsoTrack{many});
+    session.advance(2);
+    EXPECT_EQ(samples_of(session).back().particles.size(), Sample::most_particles);
+    session.handle(event::Track{std::nullopt});
+    session.advance(2);
+    EXPECT_TRUE(samples_of(session).back().particles.empty()) << "others are besides a first one";
 }
 
 TEST(RunSamples, are_fewer_where_one_takes_long) {
@@ -217,7 +271,7 @@ TEST(RunSamples, of_a_view_are_those_of_now_whatever_happened_between) {
         ASSERT_EQ(series.samples.size(), samples.all().size());
         for (std::size_t i = 0; i < series.samples.size(); ++i) {
             ASSERT_EQ(series.samples[i].step, samples.all()[i].step);
-            ASSERT_EQ(series.samples[i].particle.has_value(), samples.all()[i].particle.has_value());
+            ASSERT_EQ(series.samples[i].particle() != nullptr, samples.all()[i].particle() != nullptr);
         }
     };
     put_up_to(3000);
@@ -225,13 +279,13 @@ TEST(RunSamples, of_a_view_are_those_of_now_whatever_happened_between) {
     put_up_to(RunSamples::most + 10);  // every second one was left out meanwhile: more than the view has are left
     ASSERT_GT(samples.all().size(), 3000u);
     expect_all();
-    samples.follow(0);
+    samples.follow({0});
     expect_all();
     Sample known = samples.all()[5];
-    known.particle = Sample::Particle{};
+    known.particles = {Sample::Particle{}};
     samples.put(known);  // gone through again
     expect_all();
-    EXPECT_TRUE(series.samples[5].particle);
+    EXPECT_TRUE(series.samples[5].particle());
 }
 
 // dt is twice the limit: it diverges, and is taken back to its last good step.

@@ -233,14 +233,14 @@ TEST(RunSamples, begin_with_what_was_done_at_step_0) {
         session.observe(view);
         return view.leading.series.samples.front();
     };
-    const double still = first().particle->displacement.x;
+    const double still = first().particle()->displacement.x;
     session.handle(event::Do{Pull{4, session.run().frame().positions[4] + Vec3{0.0625, 0, 0}}});
-    EXPECT_NE(first().particle->displacement.x, still);
-    EXPECT_EQ(first().particle->displacement.x, session.run().state().displacement.at(4).x);
+    EXPECT_NE(first().particle()->displacement.x, still);
+    EXPECT_EQ(first().particle()->displacement.x, session.run().state().displacement.at(4).x);
     EXPECT_TRUE(first().error) << "the exact solution goes on from there";
     session.advance(10);
     session.handle(event::Undo{});
-    EXPECT_EQ(first().particle->displacement.x, still);
+    EXPECT_EQ(first().particle()->displacement.x, still);
 }
 
 }  // namespace

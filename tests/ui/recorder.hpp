@@ -58,6 +58,11 @@ private:
             to.calls.emplace_back("track");
             to.tracked = track.particle;
         }
+        void operator()(const event::AlsoTrack& track) const {
+            std::string call = "also track";
+            for (const std::size_t particle : track.particles) call += " " + std::to_string(particle);
+            to.calls.push_back(call);
+        }
         void operator()(const event::Do& act) const {
             to.calls.emplace_back(std::holds_alternative<Pull>(act.act) ? "pull" : "act");
             if (const auto* const pull = std::get_if<Pull>(&act.act)) to.pulled = *pull;

@@ -1,13 +1,19 @@
 #include "ui/selection.hpp"
 
 #include "sim/catalogue.hpp"
+#include "ui/recorder.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace steplab::ui {
 namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 RunView view_with(const std::vector<Alteration>& alterations) {
     return view_of(Simulation(with_alterations(describe("chain"), alterations)));
@@ -27,6 +33,34 @@ TEST(usual_mass, is_none_where_the_scene_has_several) {
     std::vector<Alteration> all;
     for (std::size_t i = 0; i < 10; ++i) all.push_back({i, std::nullopt, i == 3 ? 2.0 : 5.0});
     EXPECT_EQ(usual_mass(view_with(all), 7), 7) << "all of them are altered";
+}
+
+/// What is asked for when this view comes.
+std::vector<std::string> asked(const Selection& selection, const RunView& view) {
+    Recorder recorder;
+    selection.follow(view, recorder);
+    return recorder.calls;
+}
+
+TEST(Selection, has_samples_tell_of_others_until_they_do) {
+    const Simulation chain(describe("chain"));
+    const Selection selection(ParticleList({7, 2, 5, 900}));
+    EXPECT_THAT(asked(selection, view_of(chain, 5)), ElementsAre("also track 2 7")) << "those that there are";
+    EXPECT_THAT(asked(selection, view_of(chain, TrackedParticles{5, 2})), ElementsAre("also track 2 7"));
+    EXPECT_THAT(asked(selection, view_of(chain, TrackedParticles{5, 7, 2})), ElementsAre("also track 2 7"));
+    EXPECT_THAT(asked(selection, view_of(chain, TrackedParticles{5, 2, 7})), IsEmpty());
+    EXPECT_THAT(asked(Selection(), view_of(chain, TrackedParticles{5, 2, 7})), ElementsAre("also track"));
+    EXPECT_THAT(asked(Selection(), view_of(chain, 5)), IsEmpty());
+    EXPECT_THAT(asked(selection, view_of(chain)), IsEmpty()) << "nothing is tracked yet";
+}
+
+TEST(Selection, of_many_particles_asks_for_as_many_as_samples_tell_of) {
+    std::vector<std::size_t> all(10);
+    std::iota(all.begin(), all.end(), 0);
+    const Simulation chain(describe("chain"));
+    EXPECT_THAT(asked(Selection{ParticleList(all)}, view_of(chain, 9)), ElementsAre("also track 0 1 2 3 4 5 6"));
+    EXPECT_THAT(asked(Selection{ParticleList(all)}, view_of(chain, TrackedParticles{9, 0, 1, 2, 3, 4, 5, 6})),
+                IsEmpty());
 }
 
 }  // namespace

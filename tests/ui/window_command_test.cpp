@@ -51,6 +51,14 @@ TEST(window_command, names_all_that_was_chosen) {
                                 " --spread k=0.999:1.001 --size 1000x900 --config none");
 }
 
+TEST(window_command, names_all_selected_particles) {
+    Desk desk(describe("chain"));
+    desk.view.tracked = Tracked{3, {}, {}};
+    desk.show(desk.view);
+    desk.interface.select_too(ParticleList({0, 5, 6, 7, 9}));
+    EXPECT_THAT(copied(desk), HasSubstr(" --particle 3,0,5-7,9 "));
+}
+
 TEST(window_command, names_what_stands_below_the_scene_and_below_pictures) {
     Desk desk(describe("chain"), {1280, 800, 1});
     ViewChoices choices;

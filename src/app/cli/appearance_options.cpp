@@ -1,6 +1,7 @@
 #include "app/cli/appearance_options.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/particle_list.hpp"
 #include "core/entry.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
@@ -27,14 +28,13 @@ constexpr ParameterInfo displacements_info{.name = "--displacements",
                                            .maximum = render::most_magnified,
                                            .what = "factor by which displacements are drawn"};
 
-std::size_t parse_particle(std::string_view text, const RunDescription& description) {
-    const double count = model_of(description).particles(description.scene);
-    const ParameterInfo info{.name = "--particle",
-                             .kind = ParameterInfo::Kind::integer,
-                             .unit = "",
-                             .maximum = count - 1,
-                             .what = "particle to mark"};
-    return static_cast<std::size_t>(parse_value(info, text));
+/// The first one of the list first.
+void select(std::string_view list, const RunDescription& description, render::Style& style) {
+    const auto count = static_cast<std::size_t>(model_of(description).particles(description.scene));
+    std::vector<std::size_t> all = parse_particles("--particle", list, count);
+    style.selected = parse_particles("--particle", list.substr(0, list.find_first_of(",-")), count).front();
+    std::erase(all, *style.selected);
+    style.selected_too = ParticleList(std::move(all));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void AppearanceOptions::declare(CLI::App& app, const Help& help) {
         fmt::format("Quantity shown by colour: {}, or column:NAME of a file that is played (default {})",
                     joined(render::colouring_ids), colour_));
     add("--background", background_, "dark|light", fmt::format("Theme of scene and panels (default {})", background_));
-    add("--particle", particle_, "I", help.particle);
+    add("--particle", particle_, "9,0-3", help.particle);
     add("--springs", springs_, "on|off", fmt::format("Draw the springs (default {})", springs_));
     add("--grid", grid_, "on|off", fmt::format("Draw the ground grid and the axes (default {})", grid_));
     add("--velocities", velocities_, "on|off",
@@ -92,7 +92,7 @@ render::Style AppearanceOptions::style(const RunDescription& description) const 
     style.forces = is_on("--forces", forces_);
     style.displacements = parse_value(displacements_info, displacements_);
     style.mass = facts_of(description).mass;
-    if (!particle_.empty()) style.selected = parse_particle(particle_, description);
+    if (!particle_.empty()) select(particle_, description, style);
     return style;
 }
 

@@ -31,8 +31,6 @@ std::vector<ui::PlotKind> parse_plots(std::string_view text) {
             throw UsageError(fmt::format("--plots: {} is named twice", word));
         kinds.push_back(kind);
     }
-    if (kinds.size() > ui::PlotsState::most)
-        throw UsageError(fmt::format("--plots: at most {} plots are shown", ui::PlotsState::most));
     return kinds;
 }
 

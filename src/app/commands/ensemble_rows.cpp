@@ -45,7 +45,7 @@ void EnsembleRows::begin(std::size_t run, const RunDescription& description) {
     run_ = run;
     if (chosen_.empty()) return;
     const auto count = static_cast<std::size_t>(model_of(description).particles(description.scene));
-    particles_ = std::make_shared<const std::vector<std::size_t>>(parse_particles(chosen_, count));
+    particles_ = std::make_shared<const std::vector<std::size_t>>(parse_particles("--particles", chosen_, count));
 }
 
 void EnsembleRows::record(const Simulation& simulation) {

@@ -25,6 +25,8 @@ PicturedFrames::PicturedFrames(const std::string& file, PictureRequest request, 
       progress_(1, isatty(STDERR_FILENO) != 0, std::move(program)) {
     for (; playback_.has_more(); playback_.look_on()) check_interruption();
     playback_.handle(event::Track{request_.style.selected});
+    const ParticleList& others = request_.style.selected_too;
+    playback_.handle(event::AlsoTrack{{others.begin(), others.end()}});
     if (request_.style.forces) playback_.handle(event::ShowForces{});
     playback_.handle(event::Magnify{request_.style.displacements});
     length_ = length_to({.step = std::numeric_limits<std::uint64_t>::max()});

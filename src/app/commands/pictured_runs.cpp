@@ -40,8 +40,10 @@ PicturedRuns::PicturedRuns(const std::vector<RunDescription>& runs, const RunEnd
     for (const RunDescription& run : runs) add(run, end.step);
     const Simulation& leading = runs_.front().simulation;
     runs_.front().simulation.end_at(end);
-    particle_ = request_.style.selected;
-    if (request_.panel && !particle_) particle_ = first_followed(*leading.shape());
+    auto selected = request_.style.selected;
+    if (request_.panel && !selected) selected = first_followed(*leading.shape());
+    const ParticleList& others = request_.style.selected_too;
+    tracked_ = tracked_particles(selected, {others.begin(), others.end()});
     if (request_.panel) samples_ = samples_of(leading, end.step);
     if (request_.panel && runs.size() > 1) {
         for (const Run& run : runs_) errors_.add(run.simulation);
@@ -101,12 +103,12 @@ void PicturedRuns::take_samples(std::uint64_t step) {
 }
 
 PastMoment PicturedRuns::moment() {
-    RunView now = view_of(runs_.front().simulation, particle_);
+    RunView now = view_of(runs_.front().simulation, tracked_);
     const Sample sample = sample_of(now);
     PastMoment moment{.leading = without_particles(std::move(now)), .sample = sample};
     if (runs_.size() == 1) return moment;
     for (std::size_t i = 1; i < runs_.size(); ++i)
-        moment.followers.push_back(sample_of(view_of(runs_[i].simulation, particle_)));
+        moment.followers.push_back(sample_of(view_of(runs_[i].simulation, tracked_)));
     moment.errors = errors_.of(simulations());
     return moment;
 }
@@ -123,13 +125,13 @@ std::vector<PicturedRuns::Place> PicturedRuns::places() const {
 /// Puts the runs as they stand now into the request.
 void PicturedRuns::look() {
     const Simulation& leading = runs_.front().simulation;
-    observe(leading, particle_, request_.view);
+    observe(leading, tracked_, request_.view);
     if (request_.style.forces) leading.forces(request_.view.frame.forces);
     request_.view.frame.magnified = request_.style.displacements;
     if (ensemble_) ensemble_->put_into(request_.view);
     request_.followers.resize(runs_.size() - 1);
     for (std::size_t i = 1; i < runs_.size(); ++i) {
-        observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
+        observe(runs_[i].simulation, tracked_, request_.followers[i - 1]);
         request_.followers[i - 1].frame.magnified = request_.style.displacements;
         request_.followers[i - 1].swatch = i;
     }

@@ -71,7 +71,7 @@ private:
     std::vector<Run> runs_;
     PicturedErrors errors_;
     PresentLimits limits_;
-    std::optional<std::size_t> particle_;  ///< the one that the panel follows
+    TrackedParticles tracked_;
     std::uint64_t samples_ = 0, sampled_ = 0;
     std::optional<Progress> progress_;
     std::vector<Place> shown_;

@@ -88,7 +88,7 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
         const TrajectoryFormat format = options.rows_format();
         const auto count = static_cast<std::size_t>(scene.particles(description.scene));
         RowOptions rows{.columns = options.chosen_columns()};
-        if (!options.particles.empty()) rows.particles = parse_particles(options.particles, count);
+        if (!options.particles.empty()) rows.particles = parse_particles("--particles", options.particles, count);
         rows_file_.emplace(options.out, compression_of(options.out));
         rows_.emplace(*rows_file_, format, description, std::move(rows));
         streamed_ = written_directly(options.out);

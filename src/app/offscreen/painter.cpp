@@ -44,6 +44,7 @@ public:
           request_(request),
           renderer_(renderer) {
         if (!request.plots.empty()) interface_.use({.plots = chosen(request.plots)}, {});
+        interface_.select_too(request.style.selected_too);
         for (const PastMoment& moment : request.past) record(moment);
         interface_.record(request.view);
         view_.leading.series.samples.push_back(sample_of(request.view));

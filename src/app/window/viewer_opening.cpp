@@ -17,6 +17,7 @@ namespace steplab {
 void Viewer::open(const WindowRequest& request) {
     style_ = request.style;
     interface_.open_with(request.panel, request.style.selected, request.scenes);
+    interface_.select_too(request.style.selected_too);
     interface_.use(request.choices, request.remembered);
     choices_file_ = view_choices_path(request.config);
     if (!request.note.empty()) interface_.report_error(request.note);

@@ -46,14 +46,14 @@ inline constexpr std::array plot_kinds{
     PlotKindInfo{PlotKind::error, "position error", "position error",
                  "largest distance of a particle from the exact solution or the reference, for each run"},
     PlotKindInfo{PlotKind::displacement, "displacement", "displacement",
-                 "of the selected particle, along the axis in which it moves most"},
-    PlotKindInfo{PlotKind::position, "position", "position", "of the selected particle, along the same axis"},
-    PlotKindInfo{PlotKind::velocity, "velocity", "velocity", "of the selected particle, along the same axis"},
+                 "of the selected particles, along the axis in which the first one moves most"},
+    PlotKindInfo{PlotKind::position, "position", "position", "of the selected particles, along the same axis"},
+    PlotKindInfo{PlotKind::velocity, "velocity", "velocity", "of the selected particles, along the same axis"},
     PlotKindInfo{PlotKind::phase, "phase portrait", "phase portrait",
-                 "velocity of the selected particle over its displacement: a closed curve where nothing is lost"},
+                 "velocity of the selected particles over their displacements: a closed curve where nothing is lost"},
     PlotKindInfo{
         PlotKind::spectrum, "spectrum", "spectrum",
-        "how strongly the selected particle vibrates at which frequency, beside the normal modes of the scene"},
+        "how strongly the selected particles vibrate at which frequency, beside the normal modes of the scene"},
     PlotKindInfo{PlotKind::momentum, "momentum", "momentum", "|P - P0| of all particles together"},
     PlotKindInfo{PlotKind::speeds, "speeds", "speeds", "how many particles have which speed now"},
     PlotKindInfo{PlotKind::pairs, "pair potential", "pair potential",
@@ -103,15 +103,16 @@ inline PlotChoice default_choice(PlotKind kind) {
 
 /// The plots below the scene.
 struct PlotsState {
-    static constexpr std::size_t most = 4;
+    static constexpr std::size_t most = plot_kinds.size();
 
     std::vector<PlotChoice> shown{{PlotKind::energy_error}, {PlotKind::displacement}};
+    std::size_t first = 0;             ///< the one that is shown first where not all have room
     std::optional<Range> window = {};  ///< of time, which all of them show; none: their own
     std::optional<bool> scanned = {};  ///< whether costs were asked for
     std::optional<bool> sampled = {};  ///< whether samples were asked for
     SceneLaws laws = {};
-    ExactCurve exact = {};
-    std::map<std::string, plot::Corner> legends = {};  ///< where they stand, by the plot's name
+    std::array<ExactCurve, Sample::most_particles> exact = {};  ///< of tracked particles, in their order
+    std::map<std::string, plot::Corner> legends = {};           ///< where they stand, by the plot's name
 };
 
 }  // namespace steplab::ui

@@ -23,14 +23,15 @@ int parts_between(std::size_t samples) {
 
 }  // namespace
 
-std::span<const ExactPoint> ExactCurve::of(const SampleSeries& series, const std::optional<ExactMotion>& motion,
-                                           std::size_t particles) {
+std::span<const ExactPoint> ExactCurve::of(const SampleSeries& series, std::size_t place,
+                                           const std::optional<ExactMotion>& motion, std::size_t particles) {
     const int parts = particles <= most_particles ? parts_between(series.samples.size()) : 1;
     if (!is_of(series, motion, parts)) *this = {};
     stretch_ = series.stretch;
     motion_ = motion ? motion : motion_;
     parts_ = parts;
-    for (; used_ < series.samples.size(); ++used_) add(series.samples[used_]);
+    for (; used_ < series.samples.size(); ++used_)
+        add(series.samples[used_].time, series.samples[used_].particle(place));
     return known_ ? points_ : std::span<const ExactPoint>();
 }
 
@@ -39,13 +40,13 @@ bool ExactCurve::is_of(const SampleSeries& series, const std::optional<ExactMoti
            (!motion || motion == motion_);
 }
 
-void ExactCurve::add(const Sample& sample) {
-    if (!sample.particle || !sample.particle->exact_displacement) {
-        points_.push_back({sample.time, nowhere, nowhere});
+void ExactCurve::add(double time, const Sample::Particle* known) {
+    if (!known || !known->exact_displacement) {
+        points_.push_back({time, nowhere, nowhere});
         return;
     }
-    const Vec3 velocity = motion_ ? motion_->velocity(sample.time) : nowhere;
-    const ExactPoint here{sample.time, *sample.particle->exact_displacement, velocity};
+    const Vec3 velocity = motion_ ? motion_->velocity(time) : nowhere;
+    const ExactPoint here{time, *known->exact_displacement, velocity};
     farthest_ = std::max(farthest_, length(here.displacement));
     if (motion_) fastest_ = std::max(fastest_, length(velocity));
     if (motion_ && parts_ > 1 && !points_.empty() && is_known(points_.back())) fill(here);

@@ -12,28 +12,28 @@
 
 namespace steplab::ui {
 
-/// The exact motion of the followed particle at one time. Values that are not known are not numbers.
+/// The exact motion of a tracked particle at one time. Values that are not known are not numbers.
 struct ExactPoint {
     double time = 0;    ///< [s]
     Vec3 displacement;  ///< from its rest position [m]
     Vec3 velocity;      ///< [m/s]
 };
 
-/// The exact motion of the followed particle on a grid of its own: at the samples of the run, and between two of them
+/// The exact motion of a tracked particle on a grid of its own: at the samples of the run, and between two of them
 /// where it is not straight, as where a step is a good part of a period. Its points depend on the samples alone.
 class ExactCurve {
 public:
     /// Of scenes of more particles, all of which are summed up for each point, there are none between samples.
     static constexpr std::size_t most_particles = 256;
 
-    /// None where no exact solution was known at any sample. `motion`: as it is known now; what was found stays when
-    /// it is not known any more.
-    std::span<const ExactPoint> of(const SampleSeries& series, const std::optional<ExactMotion>& motion,
-                                   std::size_t particles);
+    /// Of the particle in this place of the samples. None where no exact solution was known at any of them. `motion`:
+    /// as it is known now; what was found stays when it is not known any more.
+    std::span<const ExactPoint> of(const SampleSeries& series, std::size_t place,
+                                   const std::optional<ExactMotion>& motion, std::size_t particles);
 
 private:
     bool is_of(const SampleSeries& series, const std::optional<ExactMotion>& motion, int parts) const;
-    void add(const Sample& sample);
+    void add(double time, const Sample::Particle* known);
     void fill(const ExactPoint& to);
     ExactPoint point_at(double time) const;
 

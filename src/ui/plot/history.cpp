@@ -49,11 +49,11 @@ void History::begin(const RunView& view) {
 void History::follow(const RunView& view) {
     const auto particle = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
     const auto& samples = view.series.samples;
-    const bool sampled = particle && !samples.empty() && samples.back().particle;
+    const bool sampled = particle && !samples.empty() && samples.back().particle();
     if (particle != particle_ || sampled) reach_ = {};
     if (particle != particle_) particle_ = particle;
     for (const Sample& sample : samples) {
-        if (sampled && sample.particle) reach_to(sample.particle->displacement);
+        if (sampled && sample.particle()) reach_to(sample.particle()->displacement);
     }
     if (view.tracked && !sampled) reach_to(view.tracked->displacement);
     if (particle && reach_ == Vec3{} && *particle < view.frame.velocities.size())

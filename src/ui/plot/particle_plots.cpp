@@ -19,29 +19,84 @@ using plot::Plot;
 
 constexpr std::string_view axis_names[] = {"x", "y", "z"};
 
+std::size_t tracked_count(const Context& context) { return 1 + context.view.also_tracked.size(); }
+
+/// The particle in a place of the samples.
+const Tracked& tracked_in(const Context& context, std::size_t place) {
+    return place == 0 ? *context.view.tracked : context.view.also_tracked[place - 1];
+}
+
+std::string particle_name(const Context& context, std::size_t place) {
+    return fmt::format("particle {}", tracked_in(context, place).particle);
+}
+
+/// "particles 3, 7", or how many of those that are selected.
+std::string particles_text(const Context& context) {
+    const std::size_t count = tracked_count(context), selected = context.state.selection.all(context.view).size();
+    if (count < selected) return fmt::format("{} of {} particles", count, selected);
+    std::string text = particle_name(context, 0);
+    if (count > 1) text.insert(text.find(' '), "s");
+    for (const Tracked& other : context.view.also_tracked) text += fmt::format(", {}", other.particle);
+    return text;
+}
+
 bool begin_particle_plot(Plot& plot, const Context& context, std::string_view what) {
     plot.empty = "click a particle to plot what it does";
     if (!context.view.tracked) return false;
     const std::string_view axis = axis_names[context.state.history.direction()];
-    plot.y.name = fmt::format("{} {} of particle {}", what, axis, context.view.tracked->particle);
+    plot.y.name = fmt::format("{} {} of {}", what, axis, particles_text(context));
     plot.empty = "no data yet";
     return true;
 }
 
-Curve exact_curve() { return {.name = "exact", .colour = Curve::exact, .line = plot::Line::dashed}; }
-
-std::span<const ExactPoint> exact_points(const Context& context) {
-    const auto& tracked = context.view.tracked;
-    return context.state.plots.exact.of(context.view.series, tracked ? tracked->exact : std::nullopt,
-                                        context.view.frame.positions.size());
+/// What a particle does in a run, without points. Particles are told apart by colours; beside other runs,
+/// which have them, by lines.
+Curve curve_of(const Context& context, std::size_t run, std::size_t place) {
+    const std::size_t swatch = context.run(run).swatch;
+    Curve curve{.name = name_of_run(context, run), .colour = swatch, .line = plot::line_of_run(swatch)};
+    if (tracked_count(context) == 1) return curve;
+    const bool one_run = context.session.followers.empty();
+    curve.name = one_run ? particle_name(context, place) : curve.name + ", " + particle_name(context, place);
+    if (one_run) curve.colour += place;
+    curve.line = one_run ? plot::Line::solid : plot::line_of_run(place);
+    return curve;
 }
 
-/// The exact motion over time.
+/// Calls work(run, place) for each run and each tracked particle.
+template <class Work>
+void for_each_motion(const Context& context, const Work& work) {
+    for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
+        for (std::size_t place = 0; place < tracked_count(context); ++place) work(run, place);
+    }
+}
+
+/// What particles do in all runs: value(particle, place) over time.
 template <class Value>
-void add_exact(Plot& plot, const Context& context, const Value& value) {
-    Curve curve = exact_curve();
-    for (const ExactPoint& point : exact_points(context)) curve.add(point.time, value(point));
-    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+void add_motions(Plot& plot, const Context& context, const Value& value) {
+    for_each_motion(context, [&](std::size_t run, std::size_t place) {
+        const SampleSeries& series = context.run(run).series;
+        if (series.samples.empty()) return;  // until it has taken the first one
+        const Curve look = curve_of(context, run, place);
+        plot.curves.push_back(over_time(look.name, look.colour, series, [&](const Sample& sample) {
+            const Sample::Particle* const known = sample.particle(place);
+            return known ? value(*known, place) : unknown;
+        }));
+        plot.curves.back().line = look.line;
+    });
+}
+
+/// The exact motion of each particle: add(curve, point, place) adds a point.
+template <class Add>
+void add_exact(Plot& plot, const Context& context, bool ascending, const Add& add) {
+    for (std::size_t place = 0; place < tracked_count(context); ++place) {
+        Curve curve{.name = "exact", .colour = Curve::exact, .line = plot::Line::dashed, .ascending = ascending};
+        if (place > 0) curve.name += ", " + particle_name(context, place);
+        curve.in_legend = place == 0;
+        const auto points = context.state.plots.exact[place].of(
+            context.view.series, place, tracked_in(context, place).exact, context.view.frame.positions.size());
+        for (const ExactPoint& point : points) add(curve, point, place);
+        if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+    }
 }
 
 /// Between the lowest and the highest run of the ensemble; `origin`: where their displacements are counted from.
@@ -63,17 +118,18 @@ struct Signal {
     double interval = 0;
 };
 
-Signal signal_of(const SampleSeries& series, int axis) {
+Signal signal_of(const SampleSeries& series, std::size_t place, int axis) {
     constexpr std::size_t most = 4096;
     Signal signal;
     const auto& samples = series.samples;
     for (std::size_t i = samples.size(); i-- > 0 && signal.values.size() < most;) {
-        if (!samples[i].particle) break;
+        const Sample::Particle* const known = samples[i].particle(place);
+        if (!known) break;
         const double interval = i + 1 < samples.size() ? std::abs(samples[i + 1].time - samples[i].time) : 0;
         if (signal.values.size() == 1) signal.interval = interval;
         // Where dt was changed, or a method chooses its steps, a stretch of equal distances ends.
         if (signal.values.size() > 1 && !(std::abs(interval - signal.interval) < 1e-6 * signal.interval)) break;
-        signal.values.push_back(component(samples[i].particle->displacement, axis));
+        signal.values.push_back(component(known->displacement, axis));
     }
     return signal;
 }
@@ -106,38 +162,44 @@ void add_modes(Plot& plot, const Context& context) {
     }
 }
 
-/// Displacements, counted from somewhere else.
-void add_paths(Plot& plot, const Context& context, double origin) {
+/// Displacements, counted from origin(place).
+template <class Origin>
+void add_paths(Plot& plot, const Context& context, const Origin& origin) {
     const int axis = context.state.history.direction();
-    add_runs(plot, context, [=](const Sample& sample) {
-        return sample.particle ? origin + component(sample.particle->displacement, axis) : unknown;
+    add_motions(plot, context, [&](const Sample::Particle& known, std::size_t place) {
+        return origin(place) + component(known.displacement, axis);
     });
-    add_ensemble(plot, context, origin);
-    add_exact(plot, context, [=](const ExactPoint& point) { return origin + component(point.displacement, axis); });
+    add_ensemble(plot, context, origin(0));
+    add_exact(plot, context, true, [&](Curve& curve, const ExactPoint& point, std::size_t place) {
+        curve.add(point.time, origin(place) + component(point.displacement, axis));
+    });
 }
 
 }  // namespace
 
 void displacement_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "displacement", .unit = "m"};
-    if (begin_particle_plot(plot, context, "displacement")) add_paths(plot, context, 0);
+    if (begin_particle_plot(plot, context, "displacement")) add_paths(plot, context, [](std::size_t) { return 0; });
 }
 
 void position_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "position", .unit = "m"};
     if (!begin_particle_plot(plot, context, "position")) return;
-    const Vec3 rest = context.view.frame.shape->rest[context.view.tracked->particle];
-    add_paths(plot, context, component(rest, context.state.history.direction()));
+    add_paths(plot, context, [&](std::size_t place) {
+        const Vec3 rest = context.view.frame.shape->rest[tracked_in(context, place).particle];
+        return component(rest, context.state.history.direction());
+    });
 }
 
 void velocity_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "velocity", .unit = "m/s"};
     if (!begin_particle_plot(plot, context, "velocity")) return;
     const int axis = context.state.history.direction();
-    add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? component(sample.particle->velocity, axis) : unknown;
+    add_motions(plot, context,
+                [axis](const Sample::Particle& known, std::size_t) { return component(known.velocity, axis); });
+    add_exact(plot, context, true, [axis](Curve& curve, const ExactPoint& point, std::size_t) {
+        curve.add(point.time, component(point.velocity, axis));
     });
-    add_exact(plot, context, [axis](const ExactPoint& point) { return component(point.velocity, axis); });
 }
 
 void phase_plot(Plot& plot, const Context& context) {
@@ -145,24 +207,18 @@ void phase_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "velocity", .unit = "m/s"};
     if (!begin_particle_plot(plot, context, "velocity")) return;
     const int axis = context.state.history.direction();
-    for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = context.run(run);
-        Curve curve{.name = name_of_run(context, run),
-                    .colour = view.swatch,
-                    .line = plot::line_of_run(view.swatch),
-                    .ascending = false};
-        for (const Sample& sample : view.series.samples) {
-            if (!sample.particle) continue;
-            curve.x.push_back(component(sample.particle->displacement, axis));
-            curve.y.push_back(component(sample.particle->velocity, axis));
+    for_each_motion(context, [&](std::size_t run, std::size_t place) {
+        Curve curve = curve_of(context, run, place);
+        curve.ascending = false;
+        for (const Sample& sample : context.run(run).series.samples) {
+            if (const Sample::Particle* const known = sample.particle(place))
+                curve.add(component(known->displacement, axis), component(known->velocity, axis));
         }
         plot.curves.push_back(std::move(curve));
-    }
-    Curve exact = exact_curve();
-    exact.ascending = false;
-    for (const ExactPoint& point : exact_points(context))
-        exact.add(component(point.displacement, axis), component(point.velocity, axis));
-    if (!exact.x.empty()) plot.curves.push_back(std::move(exact));
+    });
+    add_exact(plot, context, false, [axis](Curve& curve, const ExactPoint& point, std::size_t) {
+        curve.add(component(point.displacement, axis), component(point.velocity, axis));
+    });
 }
 
 void spectrum_plot(Plot& plot, const Context& context) {
@@ -171,18 +227,16 @@ void spectrum_plot(Plot& plot, const Context& context) {
     if (!begin_particle_plot(plot, context, "amplitude")) return;
     plot.x = {.name = "angular frequency", .unit = "rad/s"};
     plot.empty = "needs 64 samples at equal distances in time";
-    for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = context.run(run);
-        const Signal signal = signal_of(view.series, context.state.history.direction());
-        if (signal.values.size() < fewest) continue;
+    for_each_motion(context, [&](std::size_t run, std::size_t place) {
+        const Signal signal = signal_of(context.run(run).series, place, context.state.history.direction());
+        if (signal.values.size() < fewest) return;
         plot::Spectrum found = plot::spectrum(signal.values, signal.interval);
-        plot.curves.push_back({.name = name_of_run(context, run),
-                               .colour = view.swatch,
-                               .line = plot::line_of_run(view.swatch),
-                               .marks = plot::Marks::never,
-                               .x = std::move(found.frequencies),
-                               .y = std::move(found.amplitudes)});
-    }
+        Curve curve = curve_of(context, run, place);
+        curve.marks = plot::Marks::never;
+        curve.x = std::move(found.frequencies);
+        curve.y = std::move(found.amplitudes);
+        plot.curves.push_back(std::move(curve));
+    });
     add_modes(plot, context);
     if (!plot.curves.empty()) plot.x.range = frequencies_shown(plot);
 }

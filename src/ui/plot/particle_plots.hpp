@@ -5,7 +5,7 @@
 
 namespace steplab::ui {
 
-// Plots of the motion of the selected particle, along the axis in which it moves most.
+// Plots of the motion of the selected particles, along the axis in which the first one moves most.
 
 void displacement_plot(plot::Plot& plot, const Context& context);
 void position_plot(plot::Plot& plot, const Context& context);

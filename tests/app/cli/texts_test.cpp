@@ -11,15 +11,15 @@ namespace {
 using testing::ElementsAre;
 
 TEST(ParticleList, is_ascending_with_each_particle_once) {
-    EXPECT_THAT(parse_particles("9,0-3", 10), ElementsAre(0, 1, 2, 3, 9));
-    EXPECT_THAT(parse_particles("2,2,1-2", 10), ElementsAre(1, 2));
-    EXPECT_THAT(parse_particles("0", 1), ElementsAre(0));
+    EXPECT_THAT(parse_particles("--particles", "9,0-3", 10), ElementsAre(0, 1, 2, 3, 9));
+    EXPECT_THAT(parse_particles("--particles", "2,2,1-2", 10), ElementsAre(1, 2));
+    EXPECT_THAT(parse_particles("--particles", "0", 1), ElementsAre(0));
 }
 
 TEST(ParticleList, refuses_everything_else) {
     for (const char* text : {"", ",", "1,", ",1", "-", "1-", "-1", "1-2-3", "a", "1.0", "+1", " 1", "10", "0-10", "3-2",
                              "18446744073709551616", "0-18446744073709551615"}) {
-        EXPECT_THROW(parse_particles(text, 10), UsageError) << text;
+        EXPECT_THROW(parse_particles("--particles", text, 10), UsageError) << text;
     }
 }
 

@@ -21,11 +21,11 @@ TEST(PicturedRuns, tell_plots_what_each_run_did_on_its_way) {
         Simulation alone(run);
         for (const PastMoment& moment : runs.request().past) {
             alone.advance(moment.sample.step - alone.step());
-            ASSERT_TRUE(moment.sample.particle);
-            EXPECT_EQ(moment.sample.particle->velocity, alone.frame().velocities[1]);
+            ASSERT_TRUE(moment.sample.particle());
+            EXPECT_EQ(moment.sample.particle()->velocity, alone.frame().velocities[1]);
             EXPECT_EQ(moment.sample.energy_error, alone.diagnostics().energy_error);
             ASSERT_EQ(moment.followers.size(), 1u);
-            EXPECT_EQ(moment.followers[0].particle->velocity, moment.sample.particle->velocity);
+            EXPECT_EQ(moment.followers[0].particle()->velocity, moment.sample.particle()->velocity);
         }
     }
 }

@@ -61,7 +61,7 @@ void fill_samples(RunView& view, const Pair& pair) {
                                        .momentum = mixed({number, time}),
                                        .largest_displacement = number,
                                        .error = number,
-                                       .particle = Sample::Particle{mixed(pair), mixed(pair), mixed(pair)}});
+                                       .particles = {Sample::Particle{mixed(pair), mixed(pair), mixed(pair)}}});
     }
     view.series.stretch = std::make_shared<const int>();
 }

@@ -26,7 +26,7 @@ Known known_of(const std::string& model, double dt, std::uint64_t steps) {
     description.dt = dt;
     Simulation run(description);
     RunSamples samples(run.particles());
-    samples.follow(run.particles() - 1);
+    samples.follow({run.particles() - 1});
     for (samples.offer(run); run.step() < steps; samples.offer(run)) run.advance(1);
     Known known{{}, run.exact_motion(run.particles() - 1), run.particles()};
     samples.put_into(known.series);
@@ -35,7 +35,7 @@ Known known_of(const std::string& model, double dt, std::uint64_t steps) {
 
 std::vector<ExactPoint> points_of(const Known& known) {
     ExactCurve curve;
-    const auto points = curve.of(known.series, known.motion, known.particles);
+    const auto points = curve.of(known.series, 0, known.motion, known.particles);
     return {points.begin(), points.end()};
 }
 
@@ -91,9 +91,9 @@ TEST(exact_curve, has_the_same_points_however_often_it_was_shown) {
         part.series.samples.clear();
         for (std::size_t i = 0; i < known.series.samples.size(); ++i) {
             part.series.samples.push_back(known.series.samples[i]);
-            if (i % 7 == 0) often.of(part.series, part.motion, part.particles);
+            if (i % 7 == 0) often.of(part.series, 0, part.motion, part.particles);
         }
-        EXPECT_EQ(times_of(often.of(part.series, part.motion, part.particles)), times_of(points_of(known))) << steps;
+        EXPECT_EQ(times_of(often.of(part.series, 0, part.motion, part.particles)), times_of(points_of(known))) << steps;
     }
 }
 
@@ -110,31 +110,32 @@ TEST(exact_curve, is_bounded_in_long_runs) {
 TEST(exact_curve, keeps_what_it_found_when_the_closed_form_is_known_no_more) {
     const Known known = known_of("chain", 1.2, 30);
     ExactCurve curve;
-    const std::vector<double> before = times_of(curve.of(known.series, known.motion, known.particles));
+    const std::vector<double> before = times_of(curve.of(known.series, 0, known.motion, known.particles));
     SampleSeries series = known.series;
     series.samples.push_back(series.samples.back());
-    series.samples.back().particle->exact_displacement.reset();
-    const std::vector<double> after = times_of(curve.of(series, std::nullopt, known.particles));
+    series.samples.back().particles[0]->exact_displacement.reset();
+    const std::vector<double> after = times_of(curve.of(series, 0, std::nullopt, known.particles));
     ASSERT_EQ(after.size(), before.size() + 1);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
-    EXPECT_TRUE(std::isnan(curve.of(series, std::nullopt, known.particles).back().displacement.x));
+    EXPECT_TRUE(std::isnan(curve.of(series, 0, std::nullopt, known.particles).back().displacement.x));
 }
 
 TEST(exact_curve, is_found_again_for_other_samples_and_another_particle) {
     const Known chain = known_of("chain", 1.2, 30), other = known_of("chain", 0.7, 30);
     ExactCurve curve;
-    curve.of(chain.series, chain.motion, chain.particles);
-    EXPECT_EQ(times_of(curve.of(other.series, other.motion, other.particles)), times_of(points_of(other)));
+    curve.of(chain.series, 0, chain.motion, chain.particles);
+    EXPECT_EQ(times_of(curve.of(other.series, 0, other.motion, other.particles)), times_of(points_of(other)));
     std::optional<ExactMotion> neighbour = other.motion;
     neighbour->particle -= 1;
-    const auto points = curve.of(other.series, neighbour, other.particles);
+    const auto points = curve.of(other.series, 0, neighbour, other.particles);
     EXPECT_EQ(points[1].displacement, *neighbour->displacement(points[1].time));
 }
 
 TEST(exact_curve, of_a_large_scene_is_that_of_the_samples) {
     const Known known = known_of("chain", 1.2, 30);
     ExactCurve curve;
-    EXPECT_EQ(curve.of(known.series, known.motion, ExactCurve::most_particles + 1).size(), known.series.samples.size());
+    EXPECT_EQ(curve.of(known.series, 0, known.motion, ExactCurve::most_particles + 1).size(),
+              known.series.samples.size());
 }
 
 TEST(exact_curve, is_none_where_no_closed_form_is_known) {

@@ -130,7 +130,7 @@ TEST(history, the_plotted_direction_follows_from_the_samples_where_there_are_som
         view.series = before;
         Sample sample;
         sample.step = step;
-        sample.particle = {displacement, {}};
+        sample.particles = {Sample::Particle{displacement, {}}};
         view.series.samples.push_back(sample);
     };
     add(0, {0, 0.1, 0});

@@ -120,7 +120,7 @@ TEST(particle_plots, a_spectrum_is_of_the_newest_samples_at_equal_distances) {
         Sample sample;
         sample.step = static_cast<std::uint64_t>(i);
         sample.time = time;
-        sample.particle = Sample::Particle{{std::sin((i < 700 ? 9 : 5) * time), 0, 0}, {}};
+        sample.particles = {Sample::Particle{{std::sin((i < 700 ? 9 : 5) * time), 0, 0}, {}}};
         samples.push_back(sample);
     }
     recorded.desk.frame();

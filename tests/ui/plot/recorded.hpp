@@ -37,10 +37,12 @@ private:
 /// A desk with the recorded steps of a run.
 struct Recorded {
     explicit Recorded(const std::string& model) : Recorded(describe(model), 50) {}
-    Recorded(const RunDescription& description, int steps) : desk(description) {
+    /// Of its last particle, or of these.
+    Recorded(const RunDescription& description, int steps, TrackedParticles tracked = {}) : desk(description) {
         Simulation simulation(description);
+        if (tracked.empty()) tracked = {simulation.particles() - 1};
         for (int i = 0; i < steps; ++i) {
-            RunView view = view_of(simulation, simulation.particles() - 1);
+            RunView view = view_of(simulation, tracked);
             view.series.samples = std::move(desk.view.series.samples);
             view.series.samples.push_back(sample_of(view));
             desk.view = std::move(view);
