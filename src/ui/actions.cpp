@@ -261,7 +261,14 @@ bool acts_beside_an_entry(Action action) {
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
-bool goes_to_widgets(Key key) { return key == Key::space || key == Key::left || key == Key::right; }
+/// Keys that belong to the panel that the keyboard is in.
+bool goes_to_widgets(const Context& context, Key key) {
+    if (!context.state.steering) return false;
+    const bool moves_axes = key == Key::equal || key == Key::minus || key == Key::bracket_left ||
+                            key == Key::bracket_right || key == Key::home;
+    if (moves_axes && is_steered(context, "plots")) return true;
+    return key == Key::space || key == Key::left || key == Key::right;
+}
 
 }  // namespace
 
@@ -269,7 +276,7 @@ void perform_pressed_keys(const Context& context) {
     for (const KeyBinding& binding : key_bindings()) {
         if (ImGui::GetIO().WantTextInput && !acts_beside_an_entry(binding.action)) continue;
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
-        if (context.state.steering && goes_to_widgets(binding.key)) continue;
+        if (!binding.control && goes_to_widgets(context, binding.key)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);

@@ -25,6 +25,8 @@ constexpr KeyName editing_keys[] = {
     {Key::del, ImGuiKey_Delete},
     {Key::home, ImGuiKey_Home},
     {Key::end, ImGuiKey_End},
+    {Key::page_up, ImGuiKey_PageUp},
+    {Key::page_down, ImGuiKey_PageDown},
     {Key::tab, ImGuiKey_Tab},
     {Key::enter, ImGuiKey_Enter},
     {Key::escape, ImGuiKey_Escape},

@@ -81,6 +81,8 @@ enum class Key {
     l,
     zero,
     f6,
+    page_up,
+    page_down,
     count
 };
 

@@ -1,5 +1,7 @@
 #include "ui/steering.hpp"
 
+#include "ui/input.hpp"
+
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -36,6 +38,19 @@ void steer_on(const Context& context) {
     ImGui::NavInitWindow(imgui.NavWindow, true);
     imgui.NavDisableHighlight = false;
     imgui.NavDisableMouseHover = true;
+}
+
+bool is_steered(const Context& context, std::string_view panel) {
+    return context.state.steering && context.state.steered == panel;
+}
+
+void scroll_by_keys(const Context& context, std::string_view panel, bool otherwise) {
+    if (context.purpose != Purpose::use || ImGui::GetIO().WantTextInput) return;
+    if (!is_steered(context, panel) && (context.state.steering || !otherwise)) return;
+    const int pages = Input::pressed(Key::page_down, true) - Input::pressed(Key::page_up, true);
+    if (pages == 0) return;
+    const float page = ImGui::GetWindowHeight() - 2 * ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + static_cast<float>(pages) * page, 0.0f, ImGui::GetScrollMaxY()));
 }
 
 void leave_to_pointer(const Context& context) {

@@ -94,8 +94,8 @@ void Desk::drag(std::string_view name, float from, float to) {
     release();
 }
 
-void Desk::key(Key key, bool control) {
-    interface.input().push(ModifiersChanged{.control = control});
+void Desk::key(Key key, bool control, bool shift) {
+    interface.input().push(ModifiersChanged{.control = control, .shift = shift});
     interface.input().push(KeyChanged{key, true});
     frame();
     interface.input().push(KeyChanged{key, false});

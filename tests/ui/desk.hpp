@@ -38,7 +38,7 @@ public:
     void click_with_control(std::string_view name);
     /// From one part of a widget to another with the left button down.
     void drag(std::string_view name, float from, float to);
-    void key(Key key, bool control = false);
+    void key(Key key, bool control = false, bool shift = false);
     void type(std::string_view text);
     void wheel(float lines);
 

@@ -34,6 +34,8 @@ constexpr Pair pairs[] = {
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F11, Key::f11},
     {GLFW_KEY_F6, Key::f6},
+    {GLFW_KEY_PAGE_UP, Key::page_up},
+    {GLFW_KEY_PAGE_DOWN, Key::page_down},
     {GLFW_KEY_KP_ADD, Key::equal},
     {GLFW_KEY_KP_SUBTRACT, Key::minus},
     {GLFW_KEY_F, Key::f, 'f'},

@@ -3,6 +3,7 @@
 #include "core/terms.hpp"
 #include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/steering.hpp"
 #include "ui/widgets/cards.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -144,6 +145,7 @@ void draw_lesson_panel(const Context& context) {
     draw_head(context, lesson, lesson.pages[lessons.page]);
     const float foot = ImGui::GetFrameHeight() + context.px(10);
     ImGui::BeginChild(fmt::format("page {}", lessons.page).c_str(), {0, ImGui::GetContentRegionAvail().y - foot});
+    scroll_by_keys(context, "lesson", true);
     draw_page(context, lesson.pages[lessons.page]);
     ImGui::EndChild();
     ImGui::Dummy({0, context.px(2)});

@@ -50,13 +50,7 @@ void draw_tab(const Context& context, const Tab& tab, float width) {
     if (ImGui::InvisibleButton("tab", {width, context.layout.panel_tabs.height})) chosen = tab.tab;
     context.mark(widget);
     tooltip(context, tab.what);
-    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    const bool here = chosen == tab.tab;
-    text_left(0.5f * (from.x + to.x - width_of(tab.name)), 0.5f * (from.y + to.y), tab.name,
-              here || ImGui::IsItemHovered() ? colour::text : colour::text_dim);
-    if (here)
-        ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - context.px(3)}, {to.x, to.y}, colour::accent,
-                                                  context.px(1));
+    draw_tab_name(context, tab.name, chosen == tab.tab);
 }
 
 /// Next to each other, with equal margins.

@@ -1,9 +1,12 @@
 #include "core/terms.hpp"
+#include "session/run_name.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/costs_plot.hpp"
 #include "ui/plot/draw_plot.hpp"
 #include "ui/plot/move_axes.hpp"
+#include "ui/plot/plot_places.hpp"
 #include "ui/plot/plots.hpp"
+#include "ui/steering.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -24,32 +27,57 @@ void ask_for_samples(const Context& context) {
     if (std::exchange(context.state.plots.sampled, true) != true) context.events.send(event::ShowSamples{true});
 }
 
-/// How many of the chosen plots have room.
-std::size_t shown_plots(const Context& context) {
-    return std::min(context.state.plots.shown.size(), static_cast<std::size_t>(context.layout.plot_count));
+PlotPlaces places_of(const Context& context) {
+    if (context.layout.plots.empty()) return {};
+    return plot_places(context.layout.plots, context.state.plots.shown.size(),
+                       static_cast<std::size_t>(context.layout.plot_count), context.state.plots.first,
+                       context.theme.scale());
 }
 
 /// Costs are scanned once their plot is shown, and on while it is hidden, until it is closed.
-void ask_for_costs(const Context& context) {
+void ask_for_costs(const Context& context, const PlotPlaces& places) {
     if (context.purpose != Purpose::use) return;
     PlotsState& plots = context.state.plots;
     const auto chosen = std::find_if(plots.shown.begin(), plots.shown.end(),
                                      [](const PlotChoice& choice) { return shows_costs(choice.kind); });
     const auto number = static_cast<std::size_t>(chosen - plots.shown.begin());
-    const bool seen = !context.layout.plots.empty() && number < shown_plots(context);
+    const bool seen = number >= places.first && number < places.first + places.plots.size();
     const bool wanted = !context.session.playback && chosen != plots.shown.end() && (seen || plots.scanned == true);
     if (std::exchange(plots.scanned, wanted).value_or(false) != wanted) context.events.send(event::ShowCosts{wanted});
 }
 
+void draw_pointed_cost(const Context& context, const CostPoint& point, PlotKind kind, const plot::Layout& layout) {
+    const float x = layout.axes.across.pixel(point.*cost_of(kind)), y = layout.axes.up.pixel(point.error);
+    ImGui::GetWindowDrawList()->AddCircle({x, y}, context.px(6), colour::accent, 0, context.px(1.6f));
+    tooltip_beside(context, {x, layout.frame.y, x, layout.frame.bottom()}, text_of(point, context));
+}
+
+/// The keyboard goes from point to point as from widget to widget.
+void steer_costs(const Context& context, PlotKind kind, const plot::Layout& layout) {
+    if (!context.session.costs || !is_steered(context, "plots")) return;
+    const float radius = context.px(5);
+    for (const CostPoint& point : context.session.costs->points) {
+        const float x = layout.axes.across.pixel(point.*cost_of(kind)), y = layout.axes.up.pixel(point.error);
+        if (!layout.frame.contains(x, y)) continue;
+        const std::string widget =
+            std::string(info_of(kind).id) + ".point/" + run_name(run_of(point, context), context.view.description);
+        const WithId id(widget);
+        ImGui::SetCursorScreenPos({x - radius, y - radius});
+        if (ImGui::InvisibleButton("point", {2 * radius, 2 * radius}))
+            context.events.send(event::AddRun{run_of(point, context)});
+        context.mark(widget);
+        if (ImGui::IsItemFocused()) draw_pointed_cost(context, point, kind, layout);
+    }
+}
+
 /// A click on a point of the diagram adds its run.
 void use_costs(const Context& context, PlotKind kind, const plot::Layout& layout) {
-    if (context.purpose != Purpose::use || !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
-        return;
+    if (context.purpose != Purpose::use) return;
+    steer_costs(context, kind, layout);
+    if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) return;
     const CostPoint* const point = cost_point_at(context, kind, layout);
     if (!point) return;
-    const float x = layout.axes.across.pixel(point->*cost_of(kind)), y = layout.axes.up.pixel(point->error);
-    ImGui::GetWindowDrawList()->AddCircle({x, y}, context.px(6), colour::accent, 0, context.px(1.6f));
-    tooltip_beside(context, {x, layout.frame.y, x, layout.frame.bottom()}, text_of(*point, context));
+    draw_pointed_cost(context, *point, kind, layout);
     const ImGuiIO& io = ImGui::GetIO();
     const bool dragged = io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
     if (ImGui::IsMouseReleased(0) && !dragged) context.events.send(event::AddRun{run_of(*point, context)});
@@ -84,18 +112,34 @@ void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
 bool is_narrow(const Context& context, const Area& area) { return area.width < context.px(280); }
 float scale_width(const Context& context, const Area& area) { return context.px(is_narrow(context, area) ? 36 : 56); }
 
-/// Of the box that names the kind: what the other controls leave.
-float kind_width(const Context& context, const Area& area) {
-    const bool adds = context.state.plots.shown.size() < static_cast<std::size_t>(context.layout.plot_count);
-    const float others = scale_width(context, area) + context.px(adds ? 120 : 92);
-    return std::clamp(area.width - others, context.px(60), context.px(172));
+/// A plot that is drawn.
+struct Slot {
+    std::size_t number = 0;  ///< among the chosen ones
+    Area area;
+    bool adds = false;  ///< it has what adds another plot
+
+    PlotChoice& choice(const Context& context) const { return context.state.plots.shown[number]; }
+    std::string id(const Context& context) const { return std::string(info_of(choice(context).kind).id); }
+    std::string combo() const { return "plot " + std::to_string(number + 1); }
+};
+
+/// True if the keyboard is at one of its controls.
+bool is_steered(const Context& context, const Slot& slot) {
+    const std::string& focused = context.state.focused;
+    return is_steered(context, "plots") && (focused == slot.combo() || focused.starts_with(slot.id(context) + "."));
 }
 
-void draw_kind(const Context& context, std::size_t number, const Area& area) {
+/// Of the box that names the kind: what the other controls leave.
+float kind_width(const Context& context, const Slot& slot) {
+    const float others = scale_width(context, slot.area) + context.px(slot.adds ? 120 : 92);
+    return std::clamp(slot.area.width - others, context.px(60), context.px(172));
+}
+
+void draw_kind(const Context& context, const Slot& slot) {
     const std::vector<ComboItem>& items = kind_items();
-    auto chosen = static_cast<std::size_t>(context.state.plots.shown[number].kind);
-    if (combo(context, "plot " + std::to_string(number + 1), items, chosen, kind_width(context, area)))
-        choose(context.state.plots, number, plot_kinds[chosen].kind);
+    auto chosen = static_cast<std::size_t>(slot.choice(context).kind);
+    if (combo(context, slot.combo(), items, chosen, kind_width(context, slot)))
+        choose(context.state.plots, slot.number, plot_kinds[chosen].kind);
 }
 
 /// Of one axis: linear, logarithmic, or logarithmic on both sides of 0. A click goes on to the next one, from which a
@@ -130,76 +174,103 @@ void draw_scale_across(const Context& context, PlotChoice& choice, const Area& a
 void add_plot(PlotsState& plots) {
     for (const PlotKindInfo& info : plot_kinds) {
         const auto is_it = [&](const PlotChoice& choice) { return choice.kind == info.kind; };
-        if (std::none_of(plots.shown.begin(), plots.shown.end(), is_it))
-            return plots.shown.push_back(default_choice(info.kind));
+        if (std::any_of(plots.shown.begin(), plots.shown.end(), is_it)) continue;
+        plots.first = plots.shown.size();
+        return plots.shown.push_back(default_choice(info.kind));
     }
 }
 
 /// What adds a plot, or takes one away, at the right of the line.
-void draw_count(const Context& context, std::size_t number, const Area& area) {
+void draw_count(const Context& context, const Slot& slot) {
     PlotsState& plots = context.state.plots;
-    const bool last = number + 1 == shown_plots(context);
-    const bool room = plots.shown.size() < static_cast<std::size_t>(context.layout.plot_count);
-    float right = area.right() - context.px(40);
-    const std::string id(info_of(plots.shown[number].kind).id);
+    float right = slot.area.right() - context.px(40);
+    const std::string id = slot.id(context);
     if (plots.shown.size() > 1) {
         right -= context.px(24);
-        ImGui::SetCursorScreenPos({right, area.y + context.px(5)});
-        if (cross_button(context, id + ".close")) plots.shown.erase(plots.shown.begin() + static_cast<long>(number));
+        ImGui::SetCursorScreenPos({right, slot.area.y + context.px(5)});
+        if (cross_button(context, id + ".close"))
+            plots.shown.erase(plots.shown.begin() + static_cast<long>(slot.number));
     }
-    if (!last || !room || plots.shown.size() >= PlotsState::most) return;
-    ImGui::SetCursorScreenPos({right - context.px(30), area.y + context.px(3)});
+    if (!slot.adds) return;
+    ImGui::SetCursorScreenPos({right - context.px(30), slot.area.y + context.px(3)});
     if (text_button(context, "plots.add", "+", false, context.px(26))) add_plot(plots);
     tooltip(context, "another plot");
 }
 
 /// Where what the axis up means stands in the line of controls.
-float title_from(const Context& context, const Area& area) {
-    return area.x + kind_width(context, area) + scale_width(context, area) + context.px(8 + 6 + 10);
+float title_from(const Context& context, const Slot& slot) {
+    return slot.area.x + kind_width(context, slot) + scale_width(context, slot.area) + context.px(8 + 6 + 10);
 }
 
-bool has_room_for_title(const Context& context, const plot::Plot& plot, const Area& area) {
+bool has_room_for_title(const Context& context, const plot::Plot& plot, const Slot& slot) {
     const WithFont font(context.theme.fonts().small);
-    const float room = area.right() - context.px(100) - title_from(context, area);
+    const float room = slot.area.right() - context.px(slot.adds ? 100 : 72) - title_from(context, slot);
     return context.is_saved() || ImGui::CalcTextSize(plot.title.c_str()).x <= room;
 }
 
 /// The controls of a plot, and what its axis up means where there is room beside them; in a picture that is saved the
 /// latter alone.
-void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area) {
+void draw_header(const Context& context, const plot::Plot& plot, const Slot& slot) {
+    const Area& area = slot.area;
     const float y = area.y + context.px(0.5f * header + 3);
     if (context.is_saved()) {
         const WithFont font(context.theme.fonts().heading);
         return text_left(area.x + context.px(14), y, plot.title, colour::text);
     }
     ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
-    draw_kind(context, number, area);
+    draw_kind(context, slot);
     ImGui::SameLine(0, context.px(6));
-    draw_scale_up(context, context.state.plots.shown[number], area);
+    draw_scale_up(context, slot.choice(context), area);
     const WithFont font(context.theme.fonts().small);
-    if (has_room_for_title(context, plot, area)) text_left(title_from(context, area), y, plot.title, colour::text_dim);
-    draw_count(context, number, area);
+    if (has_room_for_title(context, plot, slot)) text_left(title_from(context, slot), y, plot.title, colour::text_dim);
+    draw_count(context, slot);
 }
 
-void draw_chosen(const Context& context, std::size_t number, const Area& area) {
-    const plot::Plot plot = plot_of(context, context.state.plots.shown[number]);
+void draw_chosen(const Context& context, const Slot& slot) {
+    const Area& area = slot.area;
+    PlotChoice& choice = slot.choice(context);
+    const plot::Plot plot = plot_of(context, choice);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colour::panel, context.px(5));
     list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colour::line, context.px(5));
-    draw_plot(context, plot, area, !has_room_for_title(context, plot, area));
+    draw_plot(context, plot, area, !has_room_for_title(context, plot, slot));
     const plot::Layout layout = plot_layout(context.theme, plot, area);
-    move_axes(context, plot, layout, area, context.state.plots.shown[number]);
-    if (const PlotKind kind = context.state.plots.shown[number].kind; shows_costs(kind))
-        use_costs(context, kind, layout);
-    draw_header(context, plot, number, area);
-    if (!context.is_saved()) draw_scale_across(context, context.state.plots.shown[number], area, layout.frame);
+    move_axes(context, plot, layout, area, choice, is_steered(context, slot));
+    if (shows_costs(choice.kind)) use_costs(context, choice.kind, layout);
+    if (!context.is_saved()) draw_scale_across(context, choice, area, layout.frame);
+    draw_header(context, plot, slot);  // may take it away
+}
+
+/// Brings a plot that has no room to where plots are shown.
+void show(PlotsState& plots, std::size_t number, const PlotPlaces& places) {
+    if (number < places.first) plots.first = number;
+    if (number >= places.first + places.plots.size()) plots.first = number + 1 - places.plots.size();
+}
+
+/// The names of all chosen plots; those that are shown are underlined.
+void draw_plot_tabs(const Context& context, const PlotPlaces& places) {
+    const WithFont font(context.theme.fonts().small);
+    const auto& shown = context.state.plots.shown;
+    const float width = std::floor(places.tabs.width / static_cast<float>(shown.size()));
+    for (std::size_t number = 0; number < shown.size(); ++number) {
+        const PlotKindInfo& info = info_of(shown[number].kind);
+        const std::string widget = std::string(info.id) + ".tab";
+        const WithId id(widget);
+        ImGui::SetCursorScreenPos({places.tabs.x + static_cast<float>(number) * width, places.tabs.y});
+        if (ImGui::InvisibleButton("tab", {width, places.tabs.height})) show(context.state.plots, number, places);
+        context.mark(widget);
+        tooltip(context, info.what);
+        draw_tab_name(context, shortened(info.name, width - context.px(8)),
+                      number >= places.first && number < places.first + places.plots.size());
+    }
 }
 
 }  // namespace
 
 void draw_plots_panel(const Context& context) {
     ask_for_samples(context);
-    ask_for_costs(context);
+    const PlotPlaces places = places_of(context);
+    ask_for_costs(context, places);
     const Area& area = context.layout.plots;
     if (area.empty()) return;
     ImGui::SetNextWindowPos({area.x, area.y});
@@ -208,15 +279,10 @@ void draw_plots_panel(const Context& context) {
     ImGui::Begin("plots", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const float gap = context.px(10);
-    const std::size_t shown = shown_plots(context);
-    const auto count = static_cast<float>(shown);
-    const float width = std::round((area.width - gap * (count + 1)) / count);
-    Area place{area.x + gap, area.y + gap, width, area.height - 2 * gap};
-    for (std::size_t number = 0; number < shown && number < context.state.plots.shown.size(); ++number) {
-        draw_chosen(context, number, place);
-        place.x += width + gap;
-    }
+    if (!places.tabs.empty()) draw_plot_tabs(context, places);
+    for (std::size_t i = 0; i < places.plots.size() && places.first + i < context.state.plots.shown.size(); ++i)
+        draw_chosen(context, {places.first + i, places.plots[i],
+                              i + 1 == places.plots.size() && context.state.plots.shown.size() < PlotsState::most});
     ImGui::End();
     ImGui::PopStyleColor();
 }

@@ -1,6 +1,7 @@
 #include "sim/run/run_description.hpp"
 #include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/steering.hpp"
 #include "ui/widgets/cards.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -139,6 +140,7 @@ void draw_scenes_page(const Context& context) {
         {static_cast<float>(context.display.width), static_cast<float>(context.display.height) - top});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(28), context.px(20)});
     ImGui::Begin("scenes", nullptr, page_window);
+    scroll_by_keys(context, "scenes", true);
     ImGui::PopStyleVar();
     if (close_cross(context, "scenes.close")) page.open = false;
     draw_sheets(context, page);

@@ -1,5 +1,6 @@
 #include "core/number_text.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/steering.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -96,6 +97,7 @@ void draw_side_panel(const Context& context) {
     ImGui::PushID(all ? -1 : static_cast<int>(context.state.tab));  // each tab has a place of its own to be scrolled to
     ImGui::BeginChild("sections", {0, area.height - footer.height()}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
+    scroll_by_keys(context, "side panel", context.layout.lesson.empty());
     for (const Section& section : sections_of(context)) {
         if (all || section.tab == context.state.tab) section.draw(context);
     }

@@ -63,7 +63,9 @@ void draw_moments(ImDrawList& list, const Context& context, const Plot& plot, co
         list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::text_faint);
         const float width = ImGui::CalcTextSize(moment.text.c_str()).x + context.px(6);
         if (x < free_from || x + width > frame.right()) continue;
-        text_left(x + context.px(3), frame.bottom() - context.px(8), moment.text, colour::text_faint);
+        const float y = frame.bottom() - context.px(8), half = 0.5f * ImGui::GetTextLineHeight();
+        list.AddRectFilled({x + context.px(2), y - half}, {x + width - context.px(2), y + half}, colour::panel);
+        text_left(x + context.px(3), y, moment.text, colour::text_faint);
         free_from = x + width;
     }
     if (!plot.now) return;
@@ -219,7 +221,7 @@ plot::Layout plot_layout(const Theme& theme, const Plot& plot, const Area& area)
     const auto width = [&font](const std::string& text) {
         return font.CalcTextSizeA(font.FontSize, 1e9f, 0, text.c_str()).x;
     };
-    return plot::layout_of(plot, area, {width, font.FontSize, theme.px(1)});
+    return plot::layout_of(plot, area, {width, font.FontSize, theme.scale()});
 }
 
 void draw_plot(const Context& context, const Plot& plot, const Area& area, bool title_in_frame) {

@@ -25,25 +25,33 @@ struct LegendPlace {
     float right() const { return left + width; }
 };
 
-/// Between the left end of the sample of a line and the name.
-float name_offset(const Context& context) { return context.px(27); }
+/// How large a legend is, in pixels besides its font.
+struct Size {
+    float sample, offset, between, row;  ///< of a line; from there to the name; between names; height of a row
+};
 
-float line_height(const Context& context) { return ImGui::GetTextLineHeight() + context.px(2); }
+/// Small ones where usual ones would cover most of the curves; none where those would, too.
+enum class Names { usual, small, none };
+
+Size size_of(const Context& context, bool small) {
+    const float row = ImGui::GetTextLineHeight() + context.px(small ? 0 : 2);
+    return small ? Size{context.px(12), context.px(15), context.px(7), row}
+                 : Size{context.px(22), context.px(27), context.px(12), row};
+}
 
 /// In the order of the curves, which is that of the list of runs, from left to right and in as many rows as it takes.
-std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot, float room) {
+std::vector<LegendPlace> legend_places(const Plot& plot, const Size& size, float room) {
     std::vector<LegendPlace> places;
     if (plot.curves.size() + plot.bands.size() < 2) return places;
-    const float row = line_height(context);
-    float left = 0, y = 0.5f * row;
+    float left = 0, y = 0.5f * size.row;
     const auto add = [&](const std::string& name, const Curve* curve, const plot::Band* band) {
-        const float width = std::min(ImGui::CalcTextSize(name.c_str()).x + name_offset(context), room);
+        const float width = std::min(ImGui::CalcTextSize(name.c_str()).x + size.offset, room);
         if (left + width > room && left > 0) {
             left = 0;
-            y += row;
+            y += size.row;
         }
         places.push_back({&name, curve, band, left, y, width});
-        left += width + context.px(12);
+        left += width + size.between;
     };
     for (const Curve& curve : plot.curves) {
         if (curve.in_legend) add(curve.name, &curve, nullptr);
@@ -53,9 +61,9 @@ std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot,
 }
 
 /// What a curve or band looks like.
-void draw_sample(const Context& context, const LegendPlace& place, float from, float y) {
+void draw_sample(const Context& context, const LegendPlace& place, const Size& size, float from, float y) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float to = from + context.px(22);
+    const float to = from + size.sample;
     if (place.band)
         return list.AddRectFilled({from, y - context.px(4)}, {to, y + context.px(4)}, area_ink(context, *place.band));
     const Curve& curve = *place.curve;
@@ -66,6 +74,7 @@ void draw_sample(const Context& context, const LegendPlace& place, float from, f
 
 /// The card of a plot: what stands on it, and its size.
 struct Card {
+    Size of = {};
     std::vector<LegendPlace> places;
     float title = 0;  ///< its height; 0: there is none
     plot::Box size;
@@ -73,17 +82,19 @@ struct Card {
     bool empty() const { return places.empty() && title == 0; }
 };
 
-Card card_of(const Context& context, const Plot& plot, const Area& frame, bool with_title, bool with_names) {
+/// In the present font.
+Card card_of(const Context& context, const Plot& plot, const Area& frame, bool with_title, Names names) {
     const float edge = context.px(5);
     Card card;
-    if (with_names) card.places = legend_places(context, plot, frame.width - 2 * edge);
+    card.of = size_of(context, names == Names::small);
+    if (names != Names::none) card.places = legend_places(plot, card.of, frame.width - 2 * edge);
     float width = 0, height = 0;
     for (const LegendPlace& place : card.places) {
         width = std::max(width, place.right());
-        height = place.y + 0.5f * line_height(context);
+        height = place.y + 0.5f * card.of.row;
     }
     if (with_title && !plot.title.empty()) {
-        card.title = line_height(context);
+        card.title = card.of.row;
         width = std::max(width, ImGui::CalcTextSize(plot.title.c_str()).x);
         height += card.title;
     }
@@ -91,41 +102,58 @@ Card card_of(const Context& context, const Plot& plot, const Area& frame, bool w
     return card;
 }
 
-/// True if names would cover most of the curves: the list of runs has the same lines, and the pointer tells the names.
-bool covers_most(const Card& card, const Area& frame) {
-    return card.size.width > 0.55f * frame.width && card.size.height > 0.35f * frame.height;
+bool covers_most(const Card& card, const Area& frame, float part) {
+    return card.size.width > 0.55f * frame.width && card.size.height > part * frame.height;
+}
+
+/// Curves are seen through it.
+ImU32 card_ink() {
+    constexpr ImU32 alpha = 0xb8;
+    return (colour::card & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
+}
+
+/// On a card at this place.
+void draw_card(const Context& context, const Plot& plot, const Card& card, const plot::Box& box) {
+    ImGui::GetWindowDrawList()->AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, card_ink(), context.px(4));
+    const float left = box.x + context.px(5), top = box.y + context.px(1);
+    if (card.title > 0) {
+        const std::string title = shortened(plot.title, box.right() - left - context.px(4));
+        text_left(left, top + 0.5f * card.title, title, colour::text_faint);
+    }
+    const float half = 0.5f * card.of.row, offset = card.of.offset;
+    for (const LegendPlace& place : card.places) {
+        const float x = left + place.left, y = top + card.title + place.y;
+        draw_sample(context, place, card.of, x, y);
+        const float room = place.width - offset + 0.5f;  // half a pixel for rounding
+        text_left(x + offset, y, shortened(*place.name, room), colour::text_dim);
+        context.mark(plot.name + ".legend/" + *place.name, {x, y - half, x + place.width, y + half});
+    }
 }
 
 }  // namespace
 
 void draw_legend(const Context& context, const Plot& plot, const plot::Layout& layout,
                  std::span<const std::vector<plot::Point>> lines, bool with_title) {
-    const WithFont font(context.theme.fonts().small);
     const Area& frame = layout.frame;
-    Card card = card_of(context, plot, frame, with_title, true);
-    if (!card.places.empty() && covers_most(card, frame) && !context.is_saved())
-        card = card_of(context, plot, frame, with_title, false);
+    const auto card_in = [&](ImFont* const font, Names names) {
+        const WithFont with(font);
+        return card_of(context, plot, frame, with_title, names);
+    };
+    ImFont* font = context.theme.fonts().small;
+    Card card = card_in(font, Names::usual);
+    if (covers_most(card, frame, 0.35f) && !context.is_saved()) {
+        font = context.theme.fonts().tiny;
+        card = card_in(font, Names::small);
+        // of many runs: the list of runs has the same lines, and the pointer tells the names
+        if (covers_most(card, frame, 0.6f)) card = card_in(font, Names::none);
+    }
     if (card.empty()) return;
     const float above = plot.moments.empty() ? 1 : context.px(16);  // their texts
     const auto [known, is_first] = context.state.plots.legends.try_emplace(plot.name);
     plot::Corner& corner = known->second;  // one that stands somewhere moves only where that is much better
     corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(30));
-    const plot::Box box = plot::card_in(frame, corner, card.size.width, card.size.height, above);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({box.x, box.y}, {box.right(), box.bottom()}, colour::card, context.px(4));
-    const float left = box.x + context.px(5), top = box.y + context.px(1);
-    if (card.title > 0) {
-        const std::string title = shortened(plot.title, box.right() - left - context.px(4));
-        text_left(left, top + 0.5f * card.title, title, colour::text_faint);
-    }
-    const float half = 0.5f * line_height(context), offset = name_offset(context);
-    for (const LegendPlace& place : card.places) {
-        const float x = left + place.left, y = top + card.title + place.y;
-        draw_sample(context, place, x, y);
-        const float room = place.width - offset + 0.5f;  // half a pixel for rounding
-        text_left(x + offset, y, shortened(*place.name, room), colour::text_dim);
-        context.mark(plot.name + ".legend/" + *place.name, {x, y - half, x + place.width, y + half});
-    }
+    const WithFont with(font);
+    draw_card(context, plot, card, plot::card_in(frame, corner, card.size.width, card.size.height, above));
 }
 
 }  // namespace steplab::ui

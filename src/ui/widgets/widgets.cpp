@@ -97,6 +97,15 @@ std::string in_words(std::string_view text, float width) {
     return lines;
 }
 
+void draw_tab_name(const Context& context, std::string_view name, bool chosen) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    text_left(0.5f * (from.x + to.x - text_size(name).x), 0.5f * (from.y + to.y), name,
+              chosen || ImGui::IsItemHovered() ? colour::text : colour::text_dim);
+    if (chosen)
+        ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - context.px(3)}, {to.x, to.y}, colour::accent,
+                                                  context.px(1));
+}
+
 std::string shortened(std::string_view text, float width) {
     if (text_size(text).x <= width) return std::string(text);
     const auto inside = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // of a character

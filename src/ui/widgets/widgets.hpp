@@ -54,6 +54,8 @@ std::string in_lines(const std::string& text, float width);
 std::string in_words(std::string_view text, float width);
 /// The text, or as much of its beginning as has room before "…" in the present font.
 std::string shortened(std::string_view text, float width);
+/// The name on the tab that was made last, in its middle; that of a chosen one is underlined.
+void draw_tab_name(const Context& context, std::string_view name, bool chosen);
 /// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
 /// How many lines such a paragraph has.

@@ -123,8 +123,8 @@ TEST(plots, of_a_path_hold_displacement_and_velocity) {
     choose(recorded.desk, 2, "phase portrait");
     const std::string text = saved_csv(recorded.desk, "phase portrait");
     const Sample& first = recorded.desk.view.series.samples.front();
-    EXPECT_NE(text.find("\nrun," + number_text(first.particle->displacement.x) + "," +
-                        number_text(first.particle->velocity.x) + "\n"),
+    EXPECT_NE(text.find("\nrun," + number_text(first.particle()->displacement.x) + "," +
+                        number_text(first.particle()->velocity.x) + "\n"),
               std::string::npos)
         << text.substr(0, 200);
 }
@@ -139,7 +139,7 @@ TEST(plots, are_saved_as_drawings_of_what_run_they_are) {
     EXPECT_NE(text.find("<polyline"), std::string::npos);
 }
 
-TEST(plots, are_added_while_there_is_room_and_closed_down_to_one) {
+TEST(plots, are_added_and_closed_down_to_one) {
     Desk desk(describe("chain"), {1920, 1080, 1});
     ASSERT_TRUE(desk.has("plots.add"));
     desk.click("plots.add");
@@ -148,7 +148,6 @@ TEST(plots, are_added_while_there_is_room_and_closed_down_to_one) {
     desk.click("plots.add");
     desk.frame();
     EXPECT_TRUE(desk.has("plot 4"));
-    EXPECT_FALSE(desk.has("plots.add")) << "four at most";
     for (const char* const id : {"energy error", "displacement", "energies"}) {
         desk.click(std::string(id) + ".close");
         desk.frame();
