@@ -1,5 +1,6 @@
 #include "lab/study/cost_scan.hpp"
 
+#include "lab/study/study.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
@@ -65,6 +66,30 @@ TEST(CostScan, points_are_what_their_runs_do) {
         // end by 1e-6 s
         EXPECT_NEAR(*error, point.error,
                     1e-6 * point.error + (point.run.precision == Precision::float_ ? 1e-6 : 1e-14));
+    }
+}
+
+// A report has a better reference where that is a run; both say no less than the errors of theirs.
+TEST(CostScan, points_have_the_errors_that_a_report_has) {
+    for (const char* const model : {"oscillator", "chain", "morse"}) {
+        const RunDescription scene = describe(model);
+        CostScan scan(scene);
+        const StudyPlan plan = plan_for(scene, scan.time(), false);
+        const Reference reference = reference_for(plan);
+        int compared = 0;
+        for (const CostPoint& point : all_points(scan, 60)) {
+            SCOPED_TRACE(command_line(point.run));
+            const std::uint64_t steps = run_end(point.run, scan.time()).step;
+            const Measurement reported = measure(point.run, steps, reference);
+            EXPECT_EQ(static_cast<double>(reported.result.evaluations), point.evaluations);
+            if (reference.exact) {
+                EXPECT_EQ(reported.error, point.error);
+            } else {
+                EXPECT_NEAR(reported.error, point.error, 0.05 * point.error) << "5 %: as little as a plot shows";
+            }
+            ++compared;
+        }
+        EXPECT_EQ(compared, 60) << model;
     }
 }
 
