@@ -71,16 +71,21 @@ void drop_labels(std::vector<PlacedTick>& ticks, const Labels& labels) {
     }
 }
 
+/// As many as have room. One number alone would not say how long the axis is: then more, of which drop_labels() leaves
+/// those that have room.
 std::vector<PlacedTick> ticks_across(const Labels& labels, const Layout& layout) {
-    std::vector<PlacedTick> placed;
-    const float width = layout.frame.width;
-    for (int most = std::max(2, static_cast<int>(width / labels.px(80))); most >= 1; --most) {
-        placed.clear();
+    const auto placed = [&](int most) {
+        std::vector<PlacedTick> all;
         for (const Tick& tick : ticks(layout.axes.across, most))
-            placed.push_back(labels.below(layout.frame, layout.axes.across, tick));
-        if (all_apart(placed, labels)) break;
-    }
-    return placed;
+            all.push_back(labels.below(layout.frame, layout.axes.across, tick));
+        return all;
+    };
+    const int usual = std::max(2, static_cast<int>(layout.frame.width / labels.px(80)));
+    int most = usual;
+    std::vector<PlacedTick> best = placed(most);
+    while (most > 1 && !all_apart(best, labels)) best = placed(--most);
+    for (int more = most + 1; best.size() < 2 && more <= usual + 4; ++more) best = placed(more);
+    return best;
 }
 
 }  // namespace

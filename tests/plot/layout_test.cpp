@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -91,6 +92,18 @@ TEST(plot_layout, usual_ranges_keep_all_their_labels) {
     EXPECT_GE(layout.across.size(), 3u);
     for (const PlacedTick& tick : layout.across) EXPECT_FALSE(tick.label.empty());
     for (const PlacedTick& tick : layout.up) EXPECT_FALSE(tick.label.empty());
+}
+
+TEST(plot_layout, an_axis_across_has_two_numbers_at_least) {
+    for (const Box& area : {usual, narrow}) {
+        for (double half = 0.1; half < 1; half += 0.013) {
+            const Layout layout = layout_of(line_between(-half, half, 0, 1, Scale::linear), area, letters(1));
+            EXPECT_EQ(complaint(layout, area), "");
+            const auto count = std::count_if(layout.across.begin(), layout.across.end(),
+                                             [](const PlacedTick& tick) { return !tick.label.empty(); });
+            EXPECT_GE(count, 2) << half;
+        }
+    }
 }
 
 TEST(plot_layout, curves_of_any_values_stay_near_the_frame) {

@@ -282,7 +282,9 @@ TEST_F(Snapshot, wrong_values_are_wrong_usage_and_write_nothing) {
         {{"--scale", "0"}, "0.5"},
         {{"--steps", "-1"}, "--steps"},
         {{"--model", "mash"}, "mesh"},
-        {{"--ui", "on", "--size", "399x300"}, "400x300"}};
+        {{"--ui", "on", "--size", "399x300"}, "400x300"},
+        {{"--ui", "on", "--plots", "energies", "--size", "800x459"}, "460"},
+        {{"--ui", "on", "--plots", "energies", "--size", "800x600", "--scale", "2"}, "920"}};
     for (auto [arguments, right] : cases) {
         const std::string wrong = arguments[0] + " " + arguments[1];
         arguments.insert(arguments.end(), {"--out", "a.png"});

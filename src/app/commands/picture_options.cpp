@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
+#include "ui/widgets/layout.hpp"
 
 #include <fmt/format.h>
 
@@ -42,11 +43,18 @@ double usual_scale(render::PictureSize size) {
     return std::max(1.0, std::floor(4 * smaller) / 4);
 }
 
-void check_room_for_panel(render::PictureSize size, double scale) {
-    const auto width = static_cast<int>(std::ceil(scale * least_with_panel.width));
-    const auto height = static_cast<int>(std::ceil(scale * least_with_panel.height));
-    if (size.width >= width && size.height >= height) return;
-    throw UsageError(fmt::format("--ui on needs a picture of at least {}x{} pixels", width, height));
+void check_room(std::string_view option, render::PictureSize least, const PictureRequest& request) {
+    const double scale = request.style.pixel_scale;
+    const auto width = static_cast<int>(std::ceil(scale * least.width));
+    const auto height = static_cast<int>(std::ceil(scale * least.height));
+    if (request.size.width >= width && request.size.height >= height) return;
+    throw UsageError(fmt::format("{} needs a picture of at least {}x{} pixels (--size)", option, width, height));
+}
+
+render::PictureSize least_with_plots(const PictureRequest& request) {
+    constexpr int caption = 60;  // its usual height, and more
+    return {static_cast<int>(ui::narrowest_plot),
+            static_cast<int>(ui::lowest_with_plots) + (request.caption ? caption : 0)};
 }
 
 }  // namespace
@@ -78,7 +86,8 @@ PictureRequest PictureOptions::request(const RunDescription& description) const 
     if (auto plots = shown_.plots()) request.plots = std::move(*plots);
     if (shown_.plots() && !request.panel) throw UsageError("--plots is for pictures with --ui on");
     request.caption = shown_.caption();
-    if (request.panel) check_room_for_panel(request.size, request.style.pixel_scale);
+    if (request.panel) check_room("--ui on", least_with_panel, request);
+    if (!request.plots.empty()) check_room("--plots", least_with_plots(request), request);
     return request;
 }
 

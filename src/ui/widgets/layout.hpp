@@ -8,6 +8,11 @@
 
 namespace steplab::ui {
 
+/// The least height of a window, and the least width of a plot, in units of the layout, with which there are plots
+/// below the scene.
+inline constexpr float lowest_with_plots = 460;
+inline constexpr float narrowest_plot = 240;
+
 /// A rectangle in pixels, for the layout of widgets.
 using Area = plot::Box;
 
