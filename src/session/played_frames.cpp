@@ -1,13 +1,10 @@
 #include "session/played_frames.hpp"
 
 #include "core/error.hpp"
-#include "io/compression.hpp"
-#include "io/data_bonds.hpp"
 #include "io/indexed_text.hpp"
+#include "io/springs_beside.hpp"
 #include "io/trajectory_reader.hpp"
 
-#include <algorithm>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -32,33 +29,13 @@ private:
     TrajectoryReader reader_;
 };
 
-/// Bonds as springs between rows.
-std::vector<Spring> springs_of(const std::vector<DataBond>& bonds, const std::vector<std::size_t>& particles,
-                               const std::vector<Vec3>& positions) {
-    const auto row_of = [&](std::uint64_t particle) {
-        const auto found = std::lower_bound(particles.begin(), particles.end(), particle);
-        return found != particles.end() && *found == particle ? found - particles.begin() : -1;
-    };
-    std::vector<Spring> springs;
-    for (const DataBond& bond : bonds) {
-        const auto first = row_of(bond.first), second = row_of(bond.second);
-        if (first < 0 || second < 0) continue;
-        const double apart =
-            length(positions[static_cast<std::size_t>(second)] - positions[static_cast<std::size_t>(first)]);
-        springs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), apart});
-    }
-    return springs;
-}
-
 /// CSV, XYZ or a dump.
 class PlayedText final : public PlayedFrames {
 public:
     explicit PlayedText(const std::string& file) : frames_(file) {
-        const std::string data = std::filesystem::path(without_compression(file)).replace_extension(".data").string();
-        if (!std::filesystem::is_regular_file(data)) return;
         Frame first;
         frames_.frame(0, first);
-        springs_ = springs_of(read_data_bonds(data), frames_.particles(0), first.positions);
+        springs_ = springs_beside(file, frames_.particles(0), first.positions);
     }
 
     std::uint64_t frames() const override { return frames_.frames(); }

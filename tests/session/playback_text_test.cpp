@@ -178,5 +178,20 @@ TEST(Playback, of_a_dump_draws_the_bonds_between_the_particles_that_it_has) {
     EXPECT_EQ(springs.front().second, 1u);
 }
 
+TEST(Playback, of_the_dump_of_an_export_draws_the_bonds_of_its_data) {
+    for (const char* const name : {"trajectory.dump", "trajectory.dump.gz", "other.dump"}) {
+        const TemporaryFolder folder;
+        OutputFile file(folder.file(name), compression_of(folder.file(name)));
+        file.write(
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n"
+            "ITEM: ATOMS id x y z\n1 0 0 0\n2 2 0 0\n");
+        file.commit();
+        put_text(folder.file("scene.data"), "export\n\n1 bonds\n\nBonds\n\n1 1 1 2\n");
+        Playback playback(folder.file(name));
+        const bool exported = std::string(name) != "other.dump";
+        EXPECT_EQ(view_of(playback).leading.frame.shape->springs.size(), exported ? 1u : 0u) << name;
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test

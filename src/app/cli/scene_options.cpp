@@ -100,9 +100,14 @@ void SceneOptions::declare(CLI::App& app) {
     repeated_option(app, "--set", settings_, "name=value", "Parameter of the model or method; repeatable", group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
     text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
-                fmt::format("Integration method ({}{})", default_text(method_), many), group);
+                methods_ == Methods::lammps ? "Integration method (velocity-verlet: the one that LAMMPS has)"
+                                            : fmt::format("Integration method ({}{})", default_text(method_), many),
+                group);
     text_option(app, "--precision", precision_, "float|double",
-                fmt::format("Floating-point precision of the run (default {})", precision_), group);
+                methods_ == Methods::lammps
+                    ? "Floating-point precision of the run (double: that of LAMMPS)"
+                    : fmt::format("Floating-point precision of the run (default {})", precision_),
+                group);
     text_option(app, "--dt", dt_, "X",
                 fmt::format("Time step [s] ({}){}", default_text(dt_),
                             time_ == Time::both ? "; negative: backward in time, with a negative end time" : ""),

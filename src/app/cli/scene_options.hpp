@@ -28,8 +28,8 @@ Precision precision_of(std::string_view text);
 /// All values are stored as text and read by our own parsers: in the C locale, with one form of message.
 class SceneOptions {
 public:
-    /// Whether --method may be `all`.
-    enum class Methods { one, one_or_all };
+    /// Whether --method may be `all`; of LAMMPS there are one method and one precision.
+    enum class Methods { one, one_or_all, lammps };
     /// The method and dt that are not given: fixed ones, or those that the model recommends (Opening).
     enum class Defaults { fixed, recommended };
     /// Whether dt may be negative.

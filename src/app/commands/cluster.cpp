@@ -31,7 +31,8 @@ namespace {
 constexpr const char* cluster_examples =
     "Examples:\n"
     "  steplab cluster --model mesh --set dim=1000 --steps 200 --ranks 2 --every 50 --out mesh.trajectory\n"
-    "  steplab cluster --scene fcc-crystal --until 20 --ranks 256 --submit slurm --files job\n\n";
+    "  steplab cluster --scene fcc-crystal --until 20 --ranks 256 --submit slurm --files job\n"
+    "  steplab cluster --scene fcc-crystal --until 20 --collect job --out crystal.trajectory\n\n";
 
 constexpr unsigned microseconds_of_waiting = 50'000;
 constexpr std::array<std::string_view, 1> batch_systems{"slurm"};
@@ -46,34 +47,51 @@ public:
         scene_.declare(app);
         time_.declare(app);
         lammps_.declare(app);
-        text_option(app, "--ranks", ranks_, "N", "Number of MPI ranks (required)", group);
+        text_option(app, "--ranks", ranks_, "N", "Number of MPI ranks (required, but with --collect)", group);
         text_option(app, "--files", files_, "DIR", "Folder that keeps the files of LAMMPS (default: none)", group);
         text_option(app, "--submit", submit_, "slurm", "Write a batch file into --files instead of running", group);
+        text_option(app, "--collect", collect_, "DIR",
+                    "Give the results of a batch job that has ended, of the same SCENE, TIME and --every", group);
         text_option(app, "--out", out_, "FILE|-", "Positions and velocities; - for standard output", "Output");
         text_option(app, "--summary", summary_, "FILE|-", "Summary of the run (JSON)", "Output");
         footer(app, [] { return std::string(cluster_examples) + catalogue_hint(); });
     }
 
     int run() override {
-        if (ranks_.empty()) throw UsageError("--ranks is required: the number of MPI ranks, such as --ranks 2");
-        const std::uint64_t ranks = ranks_of(ranks_);
+        check_options();
         const RunDescription run = with_method(lammps_method_checked(scene_), "velocity-verlet");
         const LammpsTime time = lammps_.time(time_.end(run).step);
         if (!out_.empty()) trajectory_format_of(out_);  // throws before anything is computed
         if (!out_.empty() && out_ == summary_) throw UsageError("--out and --summary both write to one place");
         catch_interruptions();
+        if (!collect_.empty()) return collect(run, time);
+        const std::uint64_t ranks = ranks_of(ranks_);
         if (!submit_.empty()) return submit(run, time, ranks);
         check_lammps_installed(ranks);
         return compute(run, time, ranks);
     }
 
 private:
+    void check_options() const {
+        if (!collect_.empty() && !(ranks_.empty() && files_.empty() && submit_.empty()))
+            throw UsageError(
+                "--collect takes the files of a job that has ended: --ranks, --files and --submit began it");
+        if (collect_.empty() && ranks_.empty())
+            throw UsageError("--ranks is required: the number of MPI ranks, such as --ranks 2");
+        if (!submit_.empty() && !(out_.empty() && summary_.empty()))
+            throw UsageError(
+                "--submit computes nothing yet: --out and --summary are for `steplab cluster SCENE TIME --collect DIR` "
+                "once the job has ended");
+    }
+
     int submit(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
         if (submit_ != batch_systems[0]) throw UsageError(unknown_word("batch system", submit_, batch_systems));
         if (files_.empty()) throw UsageError("--submit needs --files DIR, a folder that the cluster can read");
         const LammpsExport written = export_to_lammps(run, time, files_);
         const std::string batch = write_slurm_file(files_, model_of(run).info.name, ranks);
-        print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)));
+        print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)) +
+              fmt::format("  {:<14}the same SCENE and TIME with --collect {} --out FILE --summary FILE\n", "afterwards",
+                          shown(files_)));
         return static_cast<int>(ExitCode::done);
     }
 
@@ -88,13 +106,7 @@ private:
             const auto begin = std::chrono::steady_clock::now();
             wait_for(lammps, time.steps);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-            RunSummary summary = cluster_summary(run, time.steps, written.particles, lammps.energies(), seconds);
-            summary.notes = written.notes;
-            summary.notes.push_back(
-                fmt::format("computed by {} on {} MPI rank{}", lammps.version(), ranks, ranks == 1 ? "" : "s"));
-            if (!out_.empty()) write_cluster_rows(run, folder, summary.result, out_);
-            report(summary);
-            if (const auto& diverged = summary.result.divergence) throw Error(ExitCode::diverged, diverged->message);
+            give_results(run, time, written, lammps.output(), {seconds, ranks});
         } catch (const UsageError&) {
             throw;
         } catch (...) {
@@ -105,11 +117,35 @@ private:
         return static_cast<int>(ExitCode::done);
     }
 
+    /// Of a batch job, which was written from the same scene.
+    int collect(const RunDescription& run, const LammpsTime& time) const {
+        const LammpsExport written = check_is_export(run, time, collect_);
+        const LammpsOutput output(collect_);
+        const std::optional<LammpsLoop> loop = output.loop();
+        if (!loop)
+            throw Error(ExitCode::diverged,
+                        fmt::format("LAMMPS in '{}' has not gone all steps (step {} of {}): {}", shown(collect_),
+                                    output.step().value_or(0), time.steps, output.message()));
+        give_results(run, time, written, output, *loop);
+        return static_cast<int>(ExitCode::done);
+    }
+
+    void give_results(const RunDescription& run, const LammpsTime& time, const LammpsExport& written,
+                      const LammpsOutput& output, const LammpsLoop& loop) const {
+        RunSummary summary = cluster_summary(run, time.steps, written.particles, output.energies(), loop.seconds);
+        summary.notes = written.notes;
+        summary.notes.push_back(
+            fmt::format("computed by {} on {} MPI rank{}", output.version(), loop.ranks, loop.ranks == 1 ? "" : "s"));
+        if (!out_.empty()) write_cluster_rows(run, output.folder(), summary.result, out_);
+        report(summary);
+        if (const auto& diverged = summary.result.divergence) throw Error(ExitCode::diverged, diverged->message);
+    }
+
     static void wait_for(LammpsRun& lammps, std::uint64_t steps) {
         Progress progress(std::max<std::uint64_t>(1, steps), isatty(STDERR_FILENO) != 0, "steplab cluster");
         while (lammps.is_running()) {
             check_interruption();
-            if (const auto step = lammps.step()) progress.at(*step);
+            if (const auto step = lammps.output().step()) progress.at(*step);
             usleep(microseconds_of_waiting);
         }
         lammps.finish();
@@ -129,10 +165,10 @@ private:
         print_beside(text, out_ == "-" || summary_ == "-");
     }
 
-    SceneOptions scene_;
+    SceneOptions scene_{SceneOptions::Methods::lammps};
     TimeOptions time_{1000, TimeOptions::Default::scene};
     LammpsOptions lammps_;
-    std::string ranks_, files_, submit_, out_, summary_;
+    std::string ranks_, files_, submit_, collect_, out_, summary_;
 };
 
 }  // namespace

@@ -1,45 +1,38 @@
 #include "app/commands/cluster_results.hpp"
 
+#include "app/commands/run_frame.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
+#include "io/input_file.hpp"
 #include "io/lammps/lammps_dump.hpp"
 #include "io/lammps/lammps_export.hpp"
 #include "io/output_file.hpp"
+#include "io/temporary_folder.hpp"
 #include "io/trajectory.hpp"
 #include "sim/run/divergence.hpp"
 #include "sim/run/simulation.hpp"
-#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <utility>
 
 namespace steplab {
 
 namespace {
 
-/// What frames of one run have in common.
-Frame empty_frame(const RunDescription& run, const Plan& plan) {
-    Frame frame;
-    frame.shape = std::make_shared<const Shape>(model_of(run).shape(run.scene));
-    frame.reference = plan.reference;
-    frame.mass = plan.masses.empty() ? plan.mass : 0;
-    return frame;
-}
-
-void take(LammpsMoment& moment, double dt, const FrameParts& needs, Frame& frame) {
-    frame.step = moment.step;
-    frame.time = static_cast<double>(moment.step) * dt;
-    std::swap(frame.positions, moment.positions);
-    std::swap(frame.velocities, moment.velocities);
-    if (!needs.displacements) return;
-    frame.displacements.resize(frame.positions.size());
-    frame.reference.each(0, frame.positions.size(),
-                         [&](std::size_t i, Vec3 at) { frame.displacements[i] = frame.positions[i] - at; });
+/// Of two files, a piece at a time. Throws FileError.
+bool same_content(const std::string& a, const std::string& b) {
+    const InputFile first(a), second(b);
+    constexpr std::uint64_t piece = 1 << 20;
+    if (first.size() != second.size()) return false;
+    for (std::uint64_t place = 0; place < first.size(); place += piece) {
+        check_interruption();
+        if (first.read(place, piece) != second.read(place, piece)) return false;
+    }
+    return true;
 }
 
 /// Judges energies as those of steplab's own runs are.
@@ -83,15 +76,28 @@ void write_cluster_rows(const RunDescription& run, const std::string& folder, co
     const RunDescription held = as_held(run);
     OutputFile file(out, compression_of(out));
     TrajectoryWriter writer(file, trajectory_format_of(out), run);
-    Frame frame = empty_frame(held, plan_of(held));
+    RunFrame frame(held);
     LammpsDump dump(folder + '/' + lammps_files::trajectory, until.particles);
     for (LammpsMoment moment; dump.next(moment) && moment.step <= until.steps;) {
         check_interruption();
-        take(moment, held.dt, writer.needs(), frame);
-        writer.add(frame);
+        const double time = static_cast<double>(moment.step) * held.dt;
+        writer.add(frame.at(moment.step, time, moment.positions, moment.velocities, writer.needs()));
     }
     writer.finish();
     file.commit();
+}
+
+LammpsExport check_is_export(const RunDescription& run, const LammpsTime& time, const std::string& folder) {
+    const TemporaryFolder again;
+    LammpsExport written = export_to_lammps(run, time, again.path());
+    for (const char* const name : {lammps_files::input, lammps_files::data}) {
+        if (!same_content(folder + '/' + name, again.file(name)))
+            throw UsageError(
+                fmt::format("the files in '{}' are those of another scene or time: give SCENE, TIME and "
+                            "--every as they were with --submit",
+                            shown(folder)));
+    }
+    return written;
 }
 
 RunSummary cluster_summary(const RunDescription& run, std::uint64_t steps, std::size_t particles,

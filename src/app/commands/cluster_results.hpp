@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/lammps/lammps_run.hpp"
+#include "io/lammps/lammps_export.hpp"
+#include "io/lammps/lammps_output.hpp"
 #include "io/summary.hpp"
 #include "sim/run/run_description.hpp"
 
@@ -13,6 +14,10 @@ namespace steplab {
 /// Throws FileError.
 void write_cluster_rows(const RunDescription& run, const std::string& folder, const RunResult& until,
                         const std::string& out);
+
+/// What export_to_lammps() says of the files in a folder. Throws UsageError where they are not those of this run and
+/// time, FileError where there are none.
+LammpsExport check_is_export(const RunDescription& run, const LammpsTime& time, const std::string& folder);
 
 /// A run of LAMMPS as one of steplab's. It diverged where steplab's own run would have been said to: at the first
 /// energy that is no number or impossible (energy_is_possible()).

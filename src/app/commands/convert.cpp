@@ -1,14 +1,18 @@
 #include "app/commands/convert.hpp"
 
+#include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/scene_options.hpp"
 #include "app/cli/standard_streams.hpp"
+#include "app/commands/run_frame.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
 #include "io/compression.hpp"
 #include "io/dump_text.hpp"
 #include "io/output_file.hpp"
+#include "io/springs_beside.hpp"
 #include "io/text_trajectory.hpp"
 #include "io/trajectory.hpp"
 #include "io/trajectory_reader.hpp"
@@ -34,7 +38,8 @@ constexpr const char* examples =
     "  steplab convert chain.trajectory --columns ux,uy,uz | head\n"
     "  steplab convert chain.xyz.gz --out chain.csv\n"
     "  steplab convert chain.trajectory --out chain.pvd\n"
-    "  steplab convert dump.lammpstrj.gz --out atoms.xyz";
+    "  steplab convert dump.lammpstrj.gz --out atoms.xyz\n"
+    "  steplab convert chain.xyz --model chain --out chain.trajectory";
 
 /// What is written by whole frames: a LAMMPS dump, or files of VTK.
 enum class FrameFormat { dump, pvd };
@@ -59,7 +64,8 @@ public:
         text_option(app, "--format", format_, "csv|xyz|trajectory|dump|pvd",
                     "Format of --out (default: by its file name extension)");
         text_option(app, "--columns", columns_, "x,ux,...", columns_help);
-        footer(app, [] { return std::string(examples); });
+        scene_.declare(app);
+        footer(app, [] { return std::string(examples) + "\n\n" + catalogue_hint(); });
     }
 
     int run() override {
@@ -93,8 +99,11 @@ private:
         catch_interruptions();
         if (format == FrameFormat::pvd) {
             VtkSeries series(out_);
-            if (const auto shape = known_shape()) series.join(*shape);
-            each_frame([&](const FrameBlock& frame) { series.add(frame); });
+            const auto shape = known_shape();
+            each_frame([&, joined = false](const FrameBlock& frame) mutable {
+                if (!std::exchange(joined, true)) series.join(shape ? *shape : shape_beside(frame));
+                series.add(frame);
+            });
             series.finish();
         } else {
             write([&](OutputFile& file) {
@@ -107,7 +116,8 @@ private:
         }
     }
 
-    /// That of the run that wrote the file, if the file has all of its particles.
+    /// That of the run that wrote the file, if the file has all of its particles; of a text, the bonds that lie beside
+    /// it.
     std::optional<Shape> known_shape() const {
         InputFile input(file_);
         if (!TrajectoryReader::reads(input)) return std::nullopt;
@@ -119,6 +129,15 @@ private:
         } catch (const FileError&) {  // of a scene that this program does not know
             return std::nullopt;
         }
+    }
+
+    /// What springs lie beside a file of which no scene is known, whose first frame this is.
+    Shape shape_beside(const FrameBlock& first) const {
+        Shape shape;
+        shape.springs = springs_beside(file_, first.particles, first.positions);
+        shape.rest.resize(first.rows);
+        shape.box = first.scene.box;
+        return shape;
     }
 
     /// All frames of a text, or those before a fault, which is returned. Throws it if there are none.
@@ -190,11 +209,7 @@ private:
 
     /// Only a trajectory file describes its run. Without --columns a CSV file gets those that the other has.
     void convert(TextTrajectory& text, TrajectoryFormat format, Columns columns) {
-        if (format == TrajectoryFormat::trajectory)
-            throw UsageError(
-                fmt::format("'{}' is text, which does not describe its run as a trajectory file must: "
-                            "--format csv or xyz",
-                            shown(file_)));
+        if (format == TrajectoryFormat::trajectory) return convert_to_trajectory(text);
         const bool all = columns.empty();
         if (all) columns = text.columns();
         if (format == TrajectoryFormat::xyz) check_columns(format, columns);
@@ -207,6 +222,40 @@ private:
             });
             writer.finish();
         });
+    }
+
+    /// A trajectory file describes its run, of which the text says nothing.
+    void convert_to_trajectory(TextTrajectory& text) {
+        if (!scene_.any_given())
+            throw UsageError(
+                fmt::format("'{}' is text, which does not describe its run as a trajectory file must: name "
+                            "its scene (--model or --scene, --set, --method, --dt), or --format csv or xyz",
+                            shown(file_)));
+        const RunDescription run = as_held(scene_.description());
+        text.require({Column::x, Column::y, Column::z, Column::vx, Column::vy, Column::vz});
+        write([&](OutputFile& file) {
+            TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run);
+            RunFrame of_run(run);
+            WholeFrames frames([&](const FrameBlock& frame) {
+                check_is_whole(frame, of_run.particles());
+                std::vector<Vec3> positions = frame.positions, velocities = frame.velocities;
+                const auto [step, time] = frame.moments.front();
+                writer.add(of_run.at(step, time, positions, velocities, writer.needs()));
+            });
+            fault_ = each_before_a_fault(text, [&](const FrameBlock& frame) { frames.add(frame); });
+            writer.finish();
+        });
+    }
+
+    /// All particles of the scene in their order.
+    void check_is_whole(const FrameBlock& frame, std::size_t particles) const {
+        bool in_order = frame.rows == particles;
+        for (std::size_t row = 0; in_order && row < frame.rows; ++row) in_order = frame.particle(row) == row;
+        if (!in_order)
+            throw UsageError(
+                fmt::format("the frames of '{}' have {} particles, and the scene {}, which are to be numbered "
+                            "from 0 on: is it another scene?",
+                            shown(file_), frame.rows, particles));
     }
 
     /// Puts a file in place that `rows` writes, or keeps what an interruption leaves of it.
@@ -227,6 +276,7 @@ private:
     std::string out_ = "-";
     std::string format_;
     std::string columns_;
+    SceneOptions scene_;
     std::optional<FileError> fault_;  ///< of the file, found when what is before it was written
 };
 

@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    SceneOptions scene_;
+    SceneOptions scene_{SceneOptions::Methods::lammps};
     TimeOptions time_{1000, TimeOptions::Default::scene};
     std::string ranks_ = "1", samples_ = "20", out_;
 };

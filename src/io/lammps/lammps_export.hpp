@@ -33,6 +33,7 @@ inline constexpr const char* tables = "scene.table";
 inline constexpr const char* bond_tables = "bonds.table";
 inline constexpr const char* trajectory = "trajectory.dump";
 inline constexpr const char* log = "log.lammps";
+inline constexpr const char* screen = "screen.lammps";  ///< what it prints
 }  // namespace lammps_files
 
 /// Writes the scene of a run, as the run starts it, for LAMMPS into a folder, which is made if it is missing:

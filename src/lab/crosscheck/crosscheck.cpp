@@ -49,14 +49,14 @@ private:
         LammpsRun lammps(options.folder, options.ranks);
         while (lammps.is_running()) {
             check_interruption();
-            const double done = static_cast<double>(lammps.step().value_or(0));
+            const double done = static_cast<double>(lammps.output().step().value_or(0));
             if (options.progress)
                 options.progress(done / static_cast<double>(std::max<std::uint64_t>(1, options.steps)));
             usleep(microseconds_of_waiting);
         }
         lammps.finish();
-        energies_ = lammps.energies();
-        result.lammps = lammps.version();
+        energies_ = lammps.output().energies();
+        result.lammps = lammps.output().version();
     }
 
     void compare(const RunDescription& run, const CrosscheckOptions& options) {

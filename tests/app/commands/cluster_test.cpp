@@ -166,6 +166,53 @@ TEST(Cluster, writes_a_batch_file) {
     EXPECT_FALSE(std::filesystem::exists(folder.file("job/log.lammps"))) << "nothing is computed";
 }
 
+TEST(Cluster, collects_the_results_of_a_batch_job) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    const std::vector<std::string> same{"--every", "20"};
+    const auto call = [&](std::vector<std::string> words) {
+        words.insert(words.end(), same.begin(), same.end());
+        return steplab(std::move(words), small_mesh, here);
+    };
+    ASSERT_EQ(call({"cluster", "--ranks", "2", "--submit", "slurm", "--files", "job"}).code, 0);
+    const std::vector<std::string> collect{"cluster", "--collect", "job", "--out", "a.csv", "--summary", "-"};
+    const Outcome early = call(collect);
+    EXPECT_EQ(early.code, 3) << early.err;
+    EXPECT_THAT(early.err, HasSubstr("log.lammps"));
+    ASSERT_EQ(std::system(("sh " + folder.file("job/run.sh") + " 2 >" + folder.file("job/screen.lammps")).c_str()), 0);
+    const Outcome collected = call(collect);
+    ASSERT_EQ(collected.code, 0) << collected.err;
+    const Outcome direct = call({"cluster", "--ranks", "2", "--out", "b.csv", "--summary", "-"});
+    EXPECT_EQ(text_of(folder.file("a.csv")), text_of(folder.file("b.csv")));
+    Json theirs = Json::parse(direct.out), ours = Json::parse(collected.out);
+    for (Json* const each : {&theirs, &ours}) each->erase("wall_seconds");
+    EXPECT_EQ(ours, theirs);
+
+    const Outcome other = run_program({"cluster", "--collect", "job", "--model", "mesh", "--steps", "51"}, here);
+    EXPECT_EQ(other.code, 2);
+    EXPECT_THAT(other.err, HasSubstr("those of another scene or time"));
+    std::string log = text_of(folder.file("job/log.lammps"));
+    put_text(folder.file("job/log.lammps"), log.substr(0, log.find("Loop time")));
+    const Outcome cut = call(collect);
+    EXPECT_EQ(cut.code, 4);
+    EXPECT_THAT(cut.err, HasSubstr("has not gone all steps (step 50 of 50)"));
+}
+
+TEST(Cluster, with_another_program_than_lmp_says_what_is_wrong_with_it) {
+    const TemporaryFolder folder;
+    put_program(folder, "silent", "exit 1\n");
+    const auto message = [&](const std::string& program, int code) {
+        const Outcome outcome = steplab({"cluster", "--ranks", "1"}, small_mesh,
+                                        {.folder = folder.path(), .environment = {"LAMMPS=" + program}});
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_THAT(message("/nonexistent/lmp", 3), HasSubstr("LAMMPS=/nonexistent/lmp: there is no such program"));
+    EXPECT_THAT(message("not-there", 3), HasSubstr("there is no such program"));
+    EXPECT_THAT(message(folder.path(), 3), HasSubstr("there is no such program")) << "a folder";
+    EXPECT_THAT(message(folder.file("silent"), 4), HasSubstr("LAMMPS ended before the last step: it printed nothing"));
+}
+
 TEST(Cluster, refuses_wrong_use) {
     const auto message = [](const std::vector<std::string>& words) {
         const Outcome outcome = run_program(words);
@@ -178,6 +225,9 @@ TEST(Cluster, refuses_wrong_use) {
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "pbs", "--files", "x"}),
                 HasSubstr("unknown batch system 'pbs'"));
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "slurm"}), HasSubstr("--files DIR"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "slurm", "--files", "x", "--out", "a.csv"}),
+                HasSubstr("--collect DIR"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--collect", "x"}), HasSubstr("a job that has ended"));
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--out", "x.png"}), HasSubstr("png"));
     EXPECT_THAT(message({"export", "--model", "chain", "--to", "lammps"}), HasSubstr("--out DIR"));
     EXPECT_THAT(message({"export", "--model", "chain", "--to", "scene", "--steps", "3"}),

@@ -9,6 +9,7 @@ namespace steplab {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class Convert : public testing::Test {
 protected:
@@ -44,6 +45,42 @@ TEST_F(Convert, writes_the_frames_of_a_truncated_file_and_reports_it) {
     EXPECT_EQ(outcome.code, 3);
     EXPECT_THAT(outcome.err, HasSubstr("truncated or damaged after its first 41 frames"));
     EXPECT_EQ(text_of(file), text_of(run_to("csv")));
+}
+
+TEST_F(Convert, of_a_text_whose_scene_is_named_gives_the_trajectory_of_its_run) {
+    const std::string trajectory = folder_.file("run.trajectory"), rows = folder_.file("run.csv");
+    for (const std::string& out : {trajectory, rows})
+        ASSERT_EQ(run_program({"run", "--model", "rope", "--steps", "20", "--every", "2", "--out", out}).code, 0);
+    for (const std::string by : {"csv", "xyz", "dump", "xyz.zst"}) {
+        SCOPED_TRACE(by);
+        const std::string text = folder_.file("way." + by), back = folder_.file("back.trajectory");
+        ASSERT_EQ(run_program({"convert", trajectory, "--out", text}).code, 0);
+        std::vector<std::string> named{"convert", text, "--out", back};
+        const Outcome refused = run_program(named);
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("name its scene (--model or --scene"));
+        named.insert(named.end(), {"--model", "rope"});
+        ASSERT_EQ(run_program(named).code, 0);
+        ASSERT_EQ(run_program({"convert", back, "--out", folder_.file("back.csv")}).code, 0);
+        EXPECT_EQ(text_of(folder_.file("back.csv")), text_of(rows));
+        named.insert(named.end(), {"--set", "n=31"});
+        const Outcome other = run_program(named);
+        EXPECT_EQ(other.code, 2);
+        EXPECT_THAT(other.err, HasSubstr("is it another scene?"));
+    }
+}
+
+TEST_F(Convert, of_a_dump_of_an_export_to_vtk_has_its_springs) {
+    const Surroundings here{.folder = folder_.path()};
+    ASSERT_EQ(run_program({"export", "--model", "chain", "--steps", "4", "--to", "lammps", "--out", "job"}, here).code,
+              0);
+    ASSERT_EQ(run_program({"run", "--model", "chain", "--steps", "4", "--out", "rows.xyz"}, here).code, 0);
+    ASSERT_EQ(run_program({"convert", "rows.xyz", "--out", "job/trajectory.dump", "--format", "dump"}, here).code, 0);
+    ASSERT_EQ(run_program({"convert", "job/trajectory.dump", "--out", "job/frames.pvd"}, here).code, 0);
+    EXPECT_THAT(text_of(folder_.file("job/frames/000000.vtp")), HasSubstr("NumberOfLines=\"9\"")) << "of ten particles";
+    std::filesystem::rename(folder_.file("job/trajectory.dump"), folder_.file("job/other.dump"));
+    ASSERT_EQ(run_program({"convert", "job/other.dump", "--out", "job/none.pvd"}, here).code, 0);
+    EXPECT_THAT(text_of(folder_.file("job/none/000000.vtp")), Not(HasSubstr("NumberOfLines")));
 }
 
 // Texts of other programs too: what was whole before the fault is not lost.

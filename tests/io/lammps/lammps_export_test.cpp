@@ -48,7 +48,7 @@ LammpsStart started_in_lammps(const RunDescription& run, const std::function<voi
     if (alter) alter(folder.path());
     LammpsRun lammps(folder.path(), 1);
     lammps.finish();
-    start.energy = lammps.energies().front();
+    start.energy = lammps.output().energies().front();
     LammpsDump dump(folder.file(lammps_files::trajectory), start.written.particles);
     EXPECT_TRUE(dump.next(start.moment));
     return start;
