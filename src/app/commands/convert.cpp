@@ -239,12 +239,19 @@ private:
             WholeFrames frames([&](const FrameBlock& frame) {
                 check_is_whole(frame, of_run.particles());
                 std::vector<Vec3> positions = frame.positions, velocities = frame.velocities;
-                const auto [step, time] = frame.moments.front();
-                writer.add(of_run.at(step, time, positions, velocities, writer.needs()));
+                const std::uint64_t step = frame.moments.front().step;
+                writer.add(
+                    of_run.at(step, time_of(frame.moments.front(), run.dt), positions, velocities, writer.needs()));
             });
             fault_ = each_before_a_fault(text, [&](const FrameBlock& frame) { frames.add(frame); });
             writer.finish();
         });
+    }
+
+    /// A text without times has steps in their place.
+    static double time_of(const FrameBlock::Moment& moment, double dt) {
+        const auto step = static_cast<double>(moment.step);
+        return moment.time == step ? step * dt : moment.time;
     }
 
     /// All particles of the scene in their order.

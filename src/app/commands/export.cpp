@@ -7,8 +7,13 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/text.hpp"
+#include "io/compression.hpp"
+#include "io/output_file.hpp"
 #include "io/scene_export.hpp"
+#include "io/trajectory.hpp"
+#include "sim/run/simulation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -16,37 +21,55 @@ namespace steplab {
 
 namespace {
 
-constexpr std::string_view to_scene = "scene", to_lammps = "lammps";
-constexpr std::array formats{to_scene, to_lammps};
+constexpr std::string_view to_scene = "scene", to_lammps = "lammps", to_xyz = "xyz";
+constexpr std::array formats{to_scene, to_lammps, to_xyz};
 
 class ExportCommand final : public Command {
 public:
     std::string_view name() const override { return "export"; }
-    std::string_view what() const override { return "Write a scene as a file, or as input of LAMMPS"; }
+    std::string_view what() const override { return "Write a scene as a file, as XYZ, or as input of LAMMPS"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
         time_.declare(app);
         lammps_.declare(app);
-        text_option(app, "--to", to_, "scene|lammps", "Kind of file: scene, TOML for --scene; or files for LAMMPS");
+        text_option(app, "--to", to_, "scene|lammps|xyz",
+                    "Kind of file: scene, TOML for --scene; files for LAMMPS; or its particles as XYZ");
         text_option(app, "--out", out_, "FILE|DIR|-", "Output file (default -, standard output); with lammps a folder");
         app_ = &app;
     }
 
     int run() override {
-        if (to_.empty()) throw UsageError("--to is required: --to scene or --to lammps");
-        if (to_ != to_scene && to_ != to_lammps) throw UsageError(unknown_word("kind of file", to_, formats));
-        to_ == to_scene ? write_scene_file() : write_lammps_files();
+        if (to_.empty()) throw UsageError("--to is required: --to scene, --to lammps or --to xyz");
+        if (std::find(formats.begin(), formats.end(), to_) == formats.end())
+            throw UsageError(unknown_word("kind of file", to_, formats));
+        if (to_ != to_lammps) refuse_time();
+        if (to_ == to_scene) write_scene(out_, scene_.description());
+        if (to_ == to_xyz) write_start();
+        if (to_ == to_lammps) write_lammps_files();
         return static_cast<int>(ExitCode::done);
     }
 
 private:
-    void write_scene_file() const {
+    void refuse_time() const {
         for (const char* option : {"--steps", "--until", "--every"}) {
             if (is_given(*app_, option)) throw UsageError(std::string(option) + " belongs to --to lammps");
         }
-        write_scene(out_, scene_.description());
     }
+
+    /// The particles at the start.
+    void write_start() const {
+        const RunDescription run = scene_.description();
+        const Simulation simulation(run);
+        OutputFile file(out_, compression_of(out_));
+        TrajectoryWriter writer(file, TrajectoryFormat::xyz, run);
+        Frame frame;
+        simulation.frame(frame, writer.needs());
+        writer.add(frame);
+        writer.finish();
+        file.commit();
+    }
+
     void write_lammps_files() const {
         if (out_ == "-") throw UsageError("--to lammps needs --out DIR, a folder for its files");
         const RunDescription run = lammps_method_checked(scene_);

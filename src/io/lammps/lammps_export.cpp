@@ -132,7 +132,7 @@ private:
             "\ncompute kinetic all ke\nvariable outside equal {}\nthermo_style custom step pe c_kinetic v_outside\n"
             "thermo_modify norm no format float %.17g flush yes\nthermo {}\n"
             "dump moments all custom {} {} id type xu yu zu vx vy vz\n"
-            "dump_modify moments sort id format float %.17g\n",
+            "dump_modify moments sort id format float %.17g time yes\n",
             outside_energy(outside), every_energy(), moments(), lammps_files::trajectory);
     }
 
@@ -141,7 +141,7 @@ private:
         text += fmt::format(
             "if \"$(v_steps % {}) > 0\" then \"write_dump all custom {} id type xu yu zu vx vy vz modify sort id "
             "format "
-            "float %.17g append yes\"\n",
+            "float %.17g append yes time yes\"\n",
             moments(), lammps_files::trajectory);
         if (is_unlimited())
             text += fmt::format(

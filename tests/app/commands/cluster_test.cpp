@@ -244,6 +244,19 @@ TEST(Crosscheck, prints_a_table_and_a_verdict) {
     EXPECT_THAT(outcome.out, HasSubstr("steplab and LAMMPS agree within rounding."));
 }
 
+TEST(Export, to_xyz_writes_the_particles_as_a_run_begins_with_them) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    for (const std::string out : {"a.xyz", "a.xyz.gz"}) {
+        ASSERT_EQ(run_program({"export", "--scene", "two-planets", "--to", "xyz", "--out", out}, here).code, 0);
+        ASSERT_EQ(run_program({"run", "--scene", "two-planets", "--steps", "0", "--out", "run-" + out}, here).code, 0);
+        EXPECT_EQ(text_of(folder.file(out)), text_of(folder.file("run-" + out)));
+    }
+    const Outcome wrong = run_program({"export", "--model", "chain", "--to", "xyz", "--steps", "3"}, here);
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("--steps belongs to --to lammps"));
+}
+
 TEST(Export, to_lammps_says_what_was_written_and_keeps_17_digits) {
     const TemporaryFolder folder;
     const Outcome outcome = run_program({"export", "--model", "chain", "--set", "L=0.1", "--set",
