@@ -39,18 +39,22 @@ std::string with_sections_made(const std::string& page, const SectionMaker& make
     return made;
 }
 
+/// Of a block of code without a fence.
+constexpr std::string_view indentation = "    ";
+
 std::vector<std::string> examples(const std::string& page) {
     std::istringstream lines(page);
     std::vector<std::string> found;
-    bool inside = false;
+    bool fenced = false, shell = false;
     std::string command;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("```")) {
-            inside = line == "```sh";
+            shell = line == "```sh";
+            fenced = !fenced;
             continue;
         }
-        if (!inside) continue;
-        command += without_comment(line);
+        if (fenced ? !shell : !line.starts_with(indentation)) continue;
+        command += without_comment(fenced ? line : line.substr(indentation.size()));
         if (command.ends_with('\\')) {
             command.back() = ' ';
             continue;

@@ -154,16 +154,26 @@ TEST(Docs, pages_that_the_code_points_to_exist) {
     }
 }
 
+TEST(Docs, every_page_is_in_the_menu_of_the_site) {
+    std::stringstream menu;
+    menu << std::ifstream(std::filesystem::path(STEPLAB_SOURCE_DIR) / "docs/site/mkdocs.yml").rdbuf();
+    for (const TextFile& file : pages(STEPLAB_SOURCE_DIR)) {
+        if (file.path.parent_path() != "docs") continue;
+        EXPECT_THAT(menu.str(), HasSubstr(": " + file.path.filename().string() + "\n"));
+    }
+}
+
 TEST(Docs, links_are_found) {
     EXPECT_THAT(docs::linked_files("![a](docs/a.png), [b](b.md#part), [c](#part), [d](https://example.org/d)"),
                 ElementsAre("docs/a.png", "b.md"));
 }
 
-TEST(Docs, examples_are_found_in_shell_blocks_only) {
+TEST(Docs, examples_are_found_in_shell_blocks_and_indented_ones_only) {
     EXPECT_THAT(
         docs::examples(
-            "```sh\nsteplab list  # all\nls\nsteplab run \\\n--steps 3\n```\n```\nsteplab no\n```\nsteplab no\n"),
-        ElementsAre("steplab list", "steplab run  --steps 3"));
+            "```sh\nsteplab list  # all\nls\nsteplab run \\\n--steps 3\n```\n```\nsteplab no\n    steplab no\n```\n"
+            "steplab no\n    steplab report\n    steplab run \\\n        --steps 4\n"),
+        ElementsAre("steplab list", "steplab run  --steps 3", "steplab report", "steplab run      --steps 4"));
 }
 
 }  // namespace
