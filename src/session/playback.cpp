@@ -17,6 +17,9 @@
 namespace steplab {
 namespace {
 
+/// Of the distance of frames: a time that is written rounded is that of its frame.
+constexpr double rounding_of_times = 1e-6;
+
 [[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
     throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
 }
@@ -79,7 +82,7 @@ struct Playback::Handle {
     }
     void operator()(const event::Seek& seek) const { of.go_to(of.frame_of(seek.step)); }
     void operator()(const event::SeekTime& seek) const {
-        of.go_to(of.frame_at(of.elapsed_at(seek.time) + 1e-6 * of.spacing()));
+        of.go_to(of.frame_at(of.elapsed_at(seek.time) + rounding_of_times * of.spacing()));
     }
     void operator()(const event::Restart&) const { of.go_to(0); }
     void operator()(const event::SetRate& rate) const { of.rate_ = rate.rate; }
@@ -261,6 +264,17 @@ std::uint64_t Playback::frame_of(std::uint64_t step) {
 std::uint64_t Playback::frame_at(double elapsed) {
     const double part = elapsed_at(last_time_) > 0 ? elapsed / elapsed_at(last_time_) : 0;
     return last_frame(part, [&](const FrameBlock::Moment& moment) { return elapsed_at(moment.time) <= elapsed; });
+}
+
+double Playback::elapsed_to(const RunEnd& end) {
+    const std::uint64_t frame =
+        end.time ? frame_at(elapsed_at(*end.time) + rounding_of_times * spacing()) : frame_of(end.step);
+    return elapsed_at(file_frames_->moment(frame).time);
+}
+
+bool Playback::ends_before(const RunEnd& end) const {
+    if (!end.time) return last_step_ < end.step;
+    return elapsed_at(last_time_) + rounding_of_times * spacing() < elapsed_at(*end.time);
 }
 
 /// The first one that is no earlier than this.

@@ -48,6 +48,14 @@ public:
     /// never decrease from frame to frame, also where time runs backward.
     double elapsed() const { return elapsed_at(frame_.time); }
     double next_elapsed() const { return elapsed_at(next_time_); }
+    /// The same to the last frame that is no later than an end. Reads no frame but its moment. Throws FileError.
+    double elapsed_to(const RunEnd& end);
+    /// True if its last frame is earlier.
+    bool ends_before(const RunEnd& end) const;
+    /// True if its frames go backward in time.
+    bool runs_backward() const { return backward_; }
+    /// Why there are no more frames; empty if the file is whole.
+    std::string fault() const { return file_frames_->fault(); }
     /// While it plays: to the last frame that is no later than so many seconds after the first, or the next one; or
     /// backwards in the same way. It stops at the last frame; in a loop it goes to the other end, which is then true.
     /// Throws FileError.

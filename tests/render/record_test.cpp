@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 
@@ -58,6 +59,35 @@ TEST_F(Record, a_trajectory_is_drawn_as_its_single_frames_are) {
     EXPECT_EQ(record(joined(look, {"--run", "method=rk4", "--out", "c.mp4"})).code, 2) << "it is not run";
     EXPECT_EQ(record(joined(look, {"--model", "chain", "--out", "c.mp4"})).code, 2);
     EXPECT_EQ(record({"--trajectory", "none.xyz", "--out", "c.mp4"}).code, 3);
+}
+
+/// Frames at the times 0, 1 and 2 of a file whose end is like this.
+std::string three_frames(const std::string& last) {
+    return "1\nTime=0\nH 0 0 0\n1\nTime=1\nH 1 0 0\n1\nTime=2\n" + last;
+}
+
+// What is whole before a fault is drawn; the fault is an error where what is asked for lies behind it.
+TEST_F(Record, of_a_damaged_file_the_frames_before_the_fault_are_drawn) {
+    const std::vector<std::array<std::string, 3>> damaged{{"H 2", "1", "line 9"},
+                                                          {"H 2 0 0\n1\nTime=3\nH zero 0 0\n", "2", "line 12"}};
+    for (const auto& [last, until, line] : damaged) {
+        SCOPED_TRACE(last);
+        put_text(file("a.xyz"), three_frames(last));
+        const Words look{"--trajectory", "a.xyz", "--view", "0,0,9,1,0,0", "--size", "96x64"};
+        const auto still = [&](const std::string& time, const std::string& out) {
+            return snapshot(joined(look, {"--until", time, "--out", out}));
+        };
+        EXPECT_EQ(still("0", "first.png").code, 0);
+        EXPECT_EQ(still(until, "good.png").code, 0);
+        const Outcome behind = still("3", "behind.png");
+        EXPECT_EQ(behind.code, 3);
+        EXPECT_THAT(behind.err, HasSubstr(line));
+        const Outcome film = record(joined(look, {"--fps", "1", "--out", "film%d.png"}));
+        EXPECT_EQ(film.code, 3);
+        EXPECT_THAT(film.err, HasSubstr(line));
+        EXPECT_EQ(bytes("film0.png"), bytes("first.png"));
+        EXPECT_EQ(bytes("film" + until + ".png"), bytes("good.png"));
+    }
 }
 
 TEST_F(Record, sides_of_a_film_may_be_odd_where_its_format_allows_it) {

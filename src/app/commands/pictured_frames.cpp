@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <unistd.h>
@@ -30,13 +29,7 @@ PicturedFrames::PicturedFrames(const std::string& file, PictureRequest request, 
     if (request_.style.forces) playback_.handle(event::ShowForces{});
     playback_.handle(event::Magnify{request_.style.displacements});
     length_ = length_to({.step = std::numeric_limits<std::uint64_t>::max()});
-    if (playback_.frame().time < first_time_) direction_ = -1;
-    arrive(event::Restart{});
-}
-
-double PicturedFrames::length_to(const RunEnd& end) {
-    go_to(end);
-    return std::abs(playback_.frame().time - first_time_);
+    show();
 }
 
 void PicturedFrames::go_to(const RunEnd& end) {
@@ -48,7 +41,7 @@ void PicturedFrames::go_to(const RunEnd& end) {
 
 bool PicturedFrames::go_to(double elapsed) {
     const std::uint64_t before = playback_.number();
-    playback_.handle(event::SeekTime{first_time_ + direction_ * elapsed});
+    playback_.handle(event::SeekTime{first_time_ + (playback_.runs_backward() ? -elapsed : elapsed)});
     if (length_ > 0) progress_.at_part(elapsed / length_);
     if (playback_.number() == before) return false;
     show();

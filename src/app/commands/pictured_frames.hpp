@@ -21,12 +21,16 @@ public:
     PicturedFrames(const std::string& file, PictureRequest request, std::string program = {});
 
     /// Time from the first frame to the last one that is no later than this end, in seconds of the run.
-    double length_to(const RunEnd& end);
+    double length_to(const RunEnd& end) { return playback_.elapsed_to(end); }
     double length() const { return length_; }
     /// To the last frame that is no later than this. Throws FileError if it is damaged.
     void go_to(const RunEnd& end);
     /// The same, so many seconds of the run after the first frame. False if that is where it stood.
     bool go_to(double elapsed);
+
+    /// Why the file has no more frames, where this end lies behind its last one; empty if it is whole. Throws
+    /// FileError.
+    std::string fault_before(const RunEnd& end) { return playback_.ends_before(end) ? playback_.fault() : ""; }
 
     /// The picture of the moment.
     const PictureRequest& request() const { return request_; }
@@ -42,7 +46,6 @@ private:
     Playback playback_;
     PictureRequest request_;
     double first_time_ = 0, length_ = 0;
-    double direction_ = 1;  ///< -1 where time runs backward
     Progress progress_;
 };
 

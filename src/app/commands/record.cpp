@@ -23,6 +23,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,6 +102,10 @@ private:
             return played.go_to(static_cast<double>(frame) * spacing);
         };
         print_result(write(played, count, go_to, offscreen, *film), format.fps, offscreen.kind());
+        const RunEnd all{.step = std::numeric_limits<std::uint64_t>::max()};
+        const std::string fault = played.fault_before(time_.is_given() ? time_.moment(start.run) : all);
+        if (!fault.empty())
+            throw FileError(fmt::format("'{}': {}; the film is of the frames before that", shown(trajectory_), fault));
         return static_cast<int>(ExitCode::done);
     }
 

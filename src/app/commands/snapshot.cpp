@@ -86,6 +86,9 @@ private:
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
         if (!written_directly(picture_.out())) print_result(frames.request().view, offscreen.kind());
+        if (const std::string fault = frames.fault_before(end); !fault.empty())
+            throw FileError(fmt::format("'{}': {}; the picture is of step {}, before that", shown(trajectory_), fault,
+                                        frames.request().view.frame.step));
         return static_cast<int>(ExitCode::done);
     }
 
