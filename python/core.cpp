@@ -75,6 +75,7 @@ void add_scene(py::module_& core) {
             "from_text",
             [](const std::string& text, const Texts& given) { return Scene::from_text(text, parameters_of(given)); },
             others)
+        .def_static("restored", &Scene::restored, others)
         .def_static("of", &scene_of_arrays)
         .def(
             "with_parameters",
@@ -95,7 +96,8 @@ void add_scene(py::module_& core) {
         .def_property_readonly("particles", &Scene::particles)
         .def_property_readonly("parameters", [](const Scene& scene) { return texts_of(scene.parameters()); })
         .def("start", [](const Scene& scene) { return arrays_of(scene.start()); })
-        .def("text", &Scene::text, others);
+        .def("text", &Scene::text, others)
+        .def("saved", &Scene::saved, others);
 }
 
 }  // namespace

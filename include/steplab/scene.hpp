@@ -58,6 +58,8 @@ public:
     static Scene from_file(const std::string& name, const Parameters& parameters = {});
     /// The text of a scene file that reads no other file. Throws FileError.
     static Scene from_text(const std::string& text, const Parameters& parameters = {});
+    /// What saved() gave. Throws FileError for any other text.
+    static Scene restored(const std::string& saved);
     /// These particles, on which nothing acts. Throws UsageError if the lengths do not fit together or a number is not
     /// finite.
     static Scene of(const Particles& particles);
@@ -82,9 +84,11 @@ public:
     Parameters parameters() const;
     /// At the start: 3 n numbers each, and n masses.
     Particles start() const;
-    /// As the text of a scene file, which gives the same bits. Throws UsageError for a scene that reads other files or
-    /// was given another start.
+    /// As the text of a scene file, which gives the same bits. Throws UsageError, with the reason, for a scene that one
+    /// text cannot hold: one that was given another start, or needs the files that it reads.
     std::string text() const;
+    /// All of it as a text for restored(), the files that it was read from too: these may be gone then.
+    std::string saved() const;
 
     /// Of the implementation.
     explicit Scene(std::shared_ptr<const SceneState> state);

@@ -8,13 +8,13 @@ from typing import Any, Callable
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._core import Scene as _CoreScene
 from ._arrays import array_from, number_from, texts_from, values_from, word_from
 
 
 class Scene:
     """Particles and the forces between them, as a value: nothing changes a scene, each ``with_...`` makes another one.
+    A pickled scene holds all of it, also what was read from files.
 
     >>> chain = Scene.model("chain", n=5)
     >>> chain.particles, chain.parameters["k"]
@@ -27,19 +27,17 @@ class Scene:
         raise TypeError("make a scene by Scene.model(), Scene.from_file(), Scene.from_text() or Scene.from_arrays()")
 
     _core: _CoreScene
-    _made_by: tuple[Callable[..., Any], tuple[Any, ...]]
 
     @classmethod
-    def _of(cls, core: _CoreScene, made_by: Callable[..., Any], *given: Any) -> Scene:
+    def _of(cls, core: _CoreScene) -> Scene:
         scene = object.__new__(cls)
         scene._core = core
-        scene._made_by = (made_by, given)
         return scene
 
     @classmethod
     def model(cls, id: str, **parameters: Any) -> Scene:
         """A model of ``steplab.models()`` with these parameters; the others have their defaults."""
-        return _model(id, texts_from(parameters))
+        return Scene._of(_CoreScene.model(word_from(id, "id"), texts_from(parameters)))
 
     @classmethod
     def from_file(cls, name: str | os.PathLike[str], **parameters: Any) -> Scene:
@@ -48,12 +46,12 @@ class Scene:
         >>> Scene.from_file("figure-eight").particles
         3
         """
-        return _from_file(os.fspath(name), texts_from(parameters))
+        return Scene._of(_CoreScene.from_file(os.fspath(name), texts_from(parameters)))
 
     @classmethod
     def from_text(cls, text: str, **parameters: Any) -> Scene:
         """The text of a scene file that reads no other file."""
-        return _from_text(text, texts_from(parameters))
+        return Scene._of(_CoreScene.from_text(word_from(text, "text"), texts_from(parameters)))
 
     @classmethod
     def from_arrays(
@@ -71,7 +69,7 @@ class Scene:
         x = array_from(positions, "positions", (None, 3))
         v = None if velocities is None else array_from(velocities, "velocities", x.shape)
         m = None if masses is None else array_from(masses, "masses", x.shape[:1])
-        return _of_arrays(x, v, m)
+        return Scene._of(_CoreScene.of(x, v, m))
 
     def with_parameters(self, **parameters: Any) -> Scene:
         """The same with other values of its parameters.
@@ -79,7 +77,7 @@ class Scene:
         >>> Scene.model("chain").with_parameters(k=4).parameters["k"]
         4
         """
-        return _with_parameters(self, texts_from(parameters))
+        return Scene._of(self._core.with_parameters(texts_from(parameters)))
 
     def with_pair_force(self, potential: str, cutoff: float | None = None, **values: Any) -> Scene:
         """The same with a force between all pairs besides: by the name of a potential, or by an expression for the
@@ -93,7 +91,7 @@ class Scene:
         True
         """
         limit = None if cutoff is None else number_from(cutoff, "cutoff")
-        return _with_force(self, word_from(potential, "potential"), texts_from(values), limit)
+        return Scene._of(self._core.with_force(word_from(potential, "potential"), texts_from(values), limit))
 
     def starting_at(self, positions: npt.ArrayLike, velocities: npt.ArrayLike) -> Scene:
         """The same particles and forces from other positions [m] and velocities [m/s], (n, 3) each.
@@ -103,7 +101,8 @@ class Scene:
         True
         """
         shape = (self.particles, 3)
-        return _starting_at(self, array_from(positions, "positions", shape), array_from(velocities, "velocities", shape))
+        x, v = array_from(positions, "positions", shape), array_from(velocities, "velocities", shape)
+        return Scene._of(self._core.starting_at(x, v))
 
     @property
     def name(self) -> str:
@@ -134,43 +133,21 @@ class Scene:
         return self._core.start()["masses"]
 
     def text(self) -> str:
-        """As a scene file, which gives the same bits."""
+        """As a scene file, which gives the same bits. Raises UsageError, with the reason, for a scene that one text cannot
+        hold: one that was given another start, or needs the files that it reads.
+
+        >>> Scene.from_text(Scene.from_arrays([[0, 0, 0], [1, 0, 0]]).text()).particles
+        2
+        """
         return self._core.text()
 
-    def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-        return self._made_by
+    def __reduce__(self) -> tuple[Callable[[str], Scene], tuple[str]]:
+        return _restored, (self._core.saved(),)
 
     def __repr__(self) -> str:
         return f"<steplab.Scene {self.name}: {self.particles} particle{'s' if self.particles != 1 else ''}>"
 
 
-# How scenes are made, which is also how they are unpickled.
-
-
-def _model(id: str, texts: dict[str, str]) -> Scene:
-    return Scene._of(_core.Scene.model(word_from(id, "id"), texts), _model, id, texts)
-
-
-def _from_file(name: str, texts: dict[str, str]) -> Scene:
-    return Scene._of(_core.Scene.from_file(name, texts), _from_file, name, texts)
-
-
-def _from_text(text: str, texts: dict[str, str]) -> Scene:
-    return Scene._of(_core.Scene.from_text(word_from(text, "text"), texts), _from_text, text, texts)
-
-
-def _of_arrays(x: np.ndarray, v: np.ndarray | None, m: np.ndarray | None) -> Scene:
-    return Scene._of(_core.Scene.of(x, v, m), _of_arrays, x.copy(), v, m)
-
-
-def _with_parameters(scene: Scene, texts: dict[str, str]) -> Scene:
-    return Scene._of(scene._core.with_parameters(texts), _with_parameters, scene, texts)
-
-
-def _with_force(scene: Scene, potential: str, values: dict[str, str], cutoff: float | None) -> Scene:
-    core = scene._core.with_force(potential, values, cutoff)
-    return Scene._of(core, _with_force, scene, potential, values, cutoff)
-
-
-def _starting_at(scene: Scene, x: np.ndarray, v: np.ndarray) -> Scene:
-    return Scene._of(scene._core.starting_at(x, v), _starting_at, scene, x.copy(), v.copy())
+def _restored(saved: str) -> Scene:
+    """How a scene is unpickled."""
+    return Scene._of(_CoreScene.restored(saved))

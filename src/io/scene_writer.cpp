@@ -1,7 +1,10 @@
 #include "io/scene_writer.hpp"
 
+#include "core/error.hpp"
 #include "core/expression.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
+#include "io/listed_blocks.hpp"
 #include "io/particle_files.hpp"
 #include "io/scene_toml.hpp"
 #include "io/starting_values_file.hpp"
@@ -232,18 +235,9 @@ std::string head(const RunDescription& run) {
                        toml_string(model.info.what), topic);
 }
 
-}  // namespace
-
-SceneView view_of(const RunDescription& run) {
-    if (!run.origin) return {};
-    const SceneDefaults& defaults = run.origin->defaults;
-    return {defaults.camera, defaults.colour, defaults.background};
-}
-
-std::string scene_file_text(const RunDescription& run) { return scene_file_text(run, view_of(run)); }
-
-std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file) {
-    const Scene scene = model_of(run).scene(run.scene);
+/// Of a scene, with what the run and its scene file say besides.
+std::string text_of(const RunDescription& run, const Scene& scene, const SceneView& view,
+                    const std::string& start_file) {
     Writer writer;
     for (const ParticleBlock& block : scene.particles) writer(block);
     for (const Fix& fix : scene.fixes) writer(fix);
@@ -259,6 +253,27 @@ std::string scene_file_text(const RunDescription& run, const SceneView& view, co
     writer(start_of(run, scene.start, start_file));
     write_view(writer, view);
     return head(run) + parameters_text(run, scene, writer) + writer.text;
+}
+
+}  // namespace
+
+SceneView view_of(const RunDescription& run) {
+    if (!run.origin) return {};
+    const SceneDefaults& defaults = run.origin->defaults;
+    return {defaults.camera, defaults.colour, defaults.background};
+}
+
+std::string scene_file_text(const RunDescription& run) { return scene_file_text(run, view_of(run)); }
+
+std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file) {
+    return text_of(run, model_of(run).scene(run.scene), view, start_file);
+}
+
+std::string whole_scene_text(const RunDescription& run) {
+    if (run.start.from)
+        throw UsageError(fmt::format("the scene was given another start ({}): its text alone cannot hold it",
+                                     shown(run.start.from->given)));
+    return text_of(run, without_files(model_of(run).scene(run.scene)), view_of(run), {});
 }
 
 }  // namespace steplab

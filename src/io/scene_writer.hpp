@@ -21,4 +21,8 @@ std::string scene_file_text(const RunDescription& run);
 /// those of --from or of the scene's own [start]; without it, that of the scene.
 std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file = {});
 
+/// The same in a text that reads no other file: the particles of files are written out, if the rest of the scene does
+/// not name them as a group. Throws UsageError that says why there is none.
+std::string whole_scene_text(const RunDescription& run);
+
 }  // namespace steplab

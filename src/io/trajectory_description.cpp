@@ -247,6 +247,8 @@ Description parse_description(std::string_view text, Version version) {
     return description;
 }
 
+std::string run_text(const RunDescription& run) { return json_text(json_of(run), one_line); }
+
 RunDescription parse_run(const std::string& text) {
     const Json json = parse_json(text);
     const std::string method = json.at("method");

@@ -36,6 +36,8 @@ struct Description {
 std::string description_json(const RunDescription& run, const FileScene& scene, const RowList& rows);
 /// Its memory is proportional to the text. Throws a std::exception for a text that is not a description.
 Description parse_description(std::string_view json, Version version);
+/// A run as JSON, from which parse_run() gives the same.
+std::string run_text(const RunDescription& run);
 /// Throws UsageError for an unknown model, method or parameter, another std::exception for a text that is not a run.
 RunDescription parse_run(const std::string& json);
 

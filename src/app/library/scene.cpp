@@ -5,6 +5,7 @@
 #include "io/scene_file.hpp"
 #include "io/scene_toml.hpp"
 #include "io/scene_writer.hpp"
+#include "io/trajectory_description.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/own_methods.hpp"
 #include "sim/run/simulation.hpp"
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <utility>
 
 namespace steplab::library {
@@ -67,11 +69,6 @@ std::string xyz_of(const Particles& particles, std::span<const Vec3> positions, 
 std::vector<SceneFile::Part> files_of(const RunDescription& run) {
     if (!run.origin) return {};
     return {run.origin->parts.begin() + 1, run.origin->parts.end()};
-}
-
-void refuse_other_start(const RunDescription& run, std::string_view what) {
-    if (!run.start.is_none())
-        throw steplab::UsageError(fmt::format("a scene that was given another start has no {}: do this before", what));
 }
 
 std::string block_of(const PairForce& force) {
@@ -131,9 +128,13 @@ Scene Scene::with_parameters(const Parameters& parameters) const {
 
 Scene Scene::with_pair_force(const PairForce& force) const {
     return translated([&] {
-        refuse_other_start(state_->run, "text");
+        RunDescription before = state_->run;
+        before.start = {};
         try {
-            return scene_of_text(scene_file_text(state_->run) + block_of(force), files_of(state_->run), {});
+            const Scene with = scene_of_text(scene_file_text(before) + block_of(force), files_of(before), {});
+            RunDescription run = run_of(with);
+            run.start = state_->run.start;
+            return scene_of(std::move(run));
         } catch (const steplab::FileError& error) {
             throw steplab::UsageError(fmt::format("the pair force cannot be read: {}", error.what()));
         }
@@ -172,11 +173,28 @@ Particles Scene::start() const {
 }
 
 std::string Scene::text() const {
+    return translated([&] { return whole_scene_text(state_->run); });
+}
+
+std::string Scene::saved() const {
+    return translated([&] { return trajectory::run_text(state_->run); });
+}
+
+Scene Scene::restored(const std::string& saved) {
     return translated([&] {
-        refuse_other_start(state_->run, "text");
-        if (!files_of(state_->run).empty())
-            throw steplab::UsageError("a scene that reads other files has no text of its own");
-        return scene_file_text(state_->run);
+        try {
+            RunDescription run = trajectory::parse_run(saved);
+            check_values(run);
+            return scene_of(std::move(run));
+        } catch (const steplab::Error& error) {
+            throw steplab::FileError(fmt::format("the saved scene cannot be restored: {}", error.what()));
+        } catch (const steplab::Interrupted&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception&) {
+            throw steplab::FileError("this is no scene that was saved by saved()");
+        }
     });
 }
 
