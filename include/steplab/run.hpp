@@ -62,7 +62,7 @@ struct Recorded {
     bool positions = true, velocities = true;
 };
 
-/// Runs a scene, with the same bits as `steplab run`. Throws UsageError.
+/// Runs a scene, with the same bits as `steplab run`. Throws UsageError, also where the rows do not fit memory.
 STEPLAB_PUBLIC Result run(const Scene& scene, const Settings& settings = {}, const End& end = {},
                           const Recorded& recorded = {});
 
@@ -76,7 +76,8 @@ struct Trajectory {
 };
 
 /// Reads frames first, first + every ... of a file that `steplab run --out` wrote, or another program as extended XYZ
-/// or LAMMPS dump, also compressed. Throws FileError if there is none that can be read.
+/// or LAMMPS dump, also compressed. Throws FileError if there is none that can be read, UsageError if its rows do not
+/// fit memory.
 STEPLAB_PUBLIC Trajectory read(const std::string& file, std::uint64_t first = 0, std::uint64_t every = 1);
 
 }  // namespace steplab::library

@@ -34,8 +34,17 @@ TEST(LibraryScene, has_the_same_bits_as_text) {
     const Scene rope = Scene::model("rope", {{"n", 6}, {"c", 0.5}});
     EXPECT_EQ(run(Scene::from_text(rope.text())).hash, run(rope).hash);
     EXPECT_NE(run(rope.with_parameters({{"c", 0.6}})).hash, run(rope).hash);
-    EXPECT_THROW(Scene::of(pair).text(), UsageError);
+    const Scene arrays = Scene::of(pair);
+    EXPECT_EQ(run(Scene::from_text(arrays.text())).hash, run(arrays).hash);
+    EXPECT_THROW(arrays.starting_at(pair.positions, pair.positions).text(), UsageError);
     EXPECT_THROW(Scene::from_text("[[particles]"), FileError);
+}
+
+TEST(LibraryScene, is_restored_as_it_was_saved) {
+    const Scene scene =
+        Scene::of(pair).with_pair_force({.potential = "-1/r"}).starting_at(pair.velocities, pair.positions);
+    EXPECT_EQ(run(Scene::restored(scene.saved())).hash, run(scene).hash);
+    EXPECT_THROW(Scene::restored("{}"), FileError);
 }
 
 TEST(LibraryScene, names_what_it_does_not_know) {

@@ -33,6 +33,9 @@ std::span<const double> numbers(std::span<const Vec3> vectors);
 /// Three of them to a vector. Throws steplab::UsageError if their number is not 3 n, or one is not finite.
 std::vector<Vec3> vectors(std::span<const double> numbers, std::size_t particles, std::string_view what);
 
+/// Throws steplab::UsageError, naming the bytes, unless so many are available: "WHAT need 5 TB of memory, ...".
+void check_memory(double bytes, std::string_view what, std::string_view instead);
+
 /// Throws the exception that is being handled as one of the library's family.
 [[noreturn]] void rethrow_as_own();
 

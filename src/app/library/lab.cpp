@@ -19,6 +19,8 @@ namespace steplab::library {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t most_samples = 1'000'000'000;
+constexpr double bytes_of_sample = 6 * sizeof(double) + sizeof(std::uint64_t);
 
 void check_positive(double value, std::string_view name) {
     if (!(value > 0) || std::isinf(value)) throw steplab::UsageError(fmt::format("{} must be finite and > 0", name));
@@ -118,7 +120,10 @@ std::vector<Comparison> compare(const Scene& scene, const std::vector<Settings>&
         if (runs.empty() || runs.size() > RunComparison::most_runs)
             throw steplab::UsageError(
                 fmt::format("one to {} runs are compared (got {})", RunComparison::most_runs, runs.size()));
-        if (samples == 0) throw steplab::UsageError("samples must be 1 or more");
+        if (samples == 0 || samples > most_samples)
+            throw steplab::UsageError(fmt::format("samples must be from 1 to {} (got {})", most_samples, samples));
+        check_memory(static_cast<double>(samples) * static_cast<double>(runs.size()) * bytes_of_sample,
+                     fmt::format("{} samples of {} runs", samples, runs.size()), "take fewer samples");
         std::vector<RunDescription> descriptions;
         std::vector<Comparison> all;
         for (const Settings& settings : runs) {

@@ -1,4 +1,5 @@
 #include "app/library/implementation.hpp"
+#include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
@@ -7,6 +8,7 @@
 #include "io/recorded_run.hpp"
 #include "session/played_frames.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/memory.hpp"
 
 #include <fmt/format.h>
 
@@ -50,6 +52,10 @@ void append(std::vector<double>& to, std::span<const Vec3> vectors) {
 }
 
 void append_frames(PlayedFrames& frames, std::uint64_t first, std::uint64_t every, Recording& rows) {
+    const std::uint64_t count = first < frames.frames() ? (frames.frames() - first - 1) / every + 1 : 0;
+    const auto particles = static_cast<double>(frames.rows());
+    check_memory(static_cast<double>(count) * (16 + 2 * static_cast<double>(sizeof(Vec3)) * particles),
+                 fmt::format("{} rows of {} particles", count, frames.rows()), "read fewer frames (first, every)");
     Frame frame;
     for (std::uint64_t number = first; number < frames.frames(); number += every) {
         check_interruption();
@@ -61,10 +67,26 @@ void append_frames(PlayedFrames& frames, std::uint64_t first, std::uint64_t ever
     }
 }
 
-/// Rows of a run, one after the other.
+/// In a row of n particles.
+double bytes_of_row(std::size_t particles, const Recorded& wanted) {
+    constexpr double step_time_energies = sizeof(std::uint64_t) + 5 * sizeof(double);
+    const int vectors = int{wanted.positions} + int{wanted.velocities};
+    return step_time_energies + static_cast<double>(sizeof(Vec3)) * vectors * static_cast<double>(particles);
+}
+
+/// Rows of a run, one after the other. Their memory is taken at once: vectors that grow take up to three times as much.
 class Recorder {
 public:
-    Recorder(Recording& rows, const Recorded& wanted) : rows_(rows), wanted_(wanted) {}
+    Recorder(Recording& rows, const Recorded& wanted, std::uint64_t count) : rows_(rows), wanted_(wanted) {
+        const double bytes = static_cast<double>(count) * bytes_of_row(rows.particles, wanted);
+        check_memory(bytes, fmt::format("{} rows of {} particles", count, rows.particles),
+                     "record fewer steps (every), or no positions or velocities");
+        rows.steps.reserve(count);
+        for (auto* numbers : {&rows.times, &rows.kinetic, &rows.potential, &rows.energy, &rows.energy_error})
+            numbers->reserve(count);
+        if (wanted.positions) rows.positions.reserve(3 * rows.particles * count);
+        if (wanted.velocities) rows.velocities.reserve(3 * rows.particles * count);
+    }
 
     void add(const steplab::Simulation& run) {
         rows_.steps.push_back(run.step());
@@ -149,6 +171,14 @@ std::vector<Vec3> vectors(std::span<const double> numbers, std::size_t particles
     return vectors;
 }
 
+void check_memory(double bytes, std::string_view what, std::string_view instead) {
+    if (bytes < 1e6) return;  // always there, and to ask the system takes longer than a short run
+    const double there = available_memory();
+    if (bytes > there)
+        throw steplab::UsageError(fmt::format("{} need {} of memory, {} are available: {}", what, bytes_text(bytes),
+                                              bytes_text(there), instead));
+}
+
 void Result::check() const {
     if (status != "ok") throw Diverged(reason);
 }
@@ -162,7 +192,8 @@ Result run(const Scene& scene, const Settings& settings, const End& end, const R
         simulation.count_drag_work();
         Result result;
         result.rows.particles = simulation.particles();
-        Recorder recorder(result.rows, recorded);
+        const std::uint64_t recorded_steps = last.step / every + (last.step % every == 0 ? 0 : 1);
+        Recorder recorder(result.rows, recorded, 1 + recorded_steps);
         fill(result, record_run(
                          simulation, last, every, [](std::uint64_t) {},
                          [&](const steplab::Simulation& now) { recorder.add(now); }));
