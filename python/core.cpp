@@ -6,7 +6,9 @@
 
 #include <new>
 #include <pybind11/stl.h>
+#include <stdexcept>
 #include <steplab/steplab.hpp>
+#include <string_view>
 
 namespace steplab::python {
 
@@ -14,9 +16,12 @@ namespace {
 
 namespace library = steplab::library;
 
-void raise(const char* name, const char* message) {
+/// Of a message with bytes that are no UTF-8, as names of files may have them, these are replaced.
+void raise(const char* name, std::string_view message) {
     const py::object type = py::module_::import("steplab._errors").attr(name);
-    PyErr_SetString(type.ptr(), message);
+    const auto size = static_cast<py::ssize_t>(message.size());
+    const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(message.data(), size, "replace"));
+    PyErr_SetObject(type.ptr(), text.ptr());
 }
 
 /// Exceptions of the library as those of the same name in _errors.py.
@@ -33,7 +38,17 @@ void translate(std::exception_ptr thrown) {
         raise("GraphicsError", error.what());
     } catch (const library::Error& error) {
         raise("Error", error.what());
+    } catch (const std::bad_alloc&) {
+        raise("UsageError", "not enough memory");
+    } catch (const std::length_error&) {
+        raise("UsageError", "not enough memory: more than any array can hold");
     }
+}
+
+/// As os.fsdecode() has it.
+py::str text_of_file_name(const std::string& name) {
+    const auto size = static_cast<py::ssize_t>(name.size());
+    return py::reinterpret_steal<py::str>(PyUnicode_DecodeFSDefaultAndSize(name.data(), size));
 }
 
 py::dict arrays_of(library::Particles particles) {
@@ -92,7 +107,7 @@ void add_scene(py::module_& core) {
                  const py::gil_scoped_release released;
                  return scene.starting_at(x, v);
              })
-        .def_property_readonly("name", &Scene::name)
+        .def_property_readonly("name", [](const Scene& scene) { return text_of_file_name(scene.name()); })
         .def_property_readonly("particles", &Scene::particles)
         .def_property_readonly("parameters", [](const Scene& scene) { return texts_of(scene.parameters()); })
         .def("start", [](const Scene& scene) { return arrays_of(scene.start()); })

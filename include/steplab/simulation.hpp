@@ -20,7 +20,7 @@ struct Picture {
 /// How a picture is drawn.
 struct View {
     std::size_t width = 640, height = 360;  ///< pixels, 1 to 8192
-    std::string camera = {};                ///< as --view of `steplab snapshot`; empty: the scene's own
+    std::string camera = {};                ///< default, front, side, top or yaw,pitch,distance,x,y,z; empty: default
 };
 
 /// A run under way, a few steps at a time. To be used by one thread at a time.

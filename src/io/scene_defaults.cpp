@@ -32,7 +32,7 @@ std::vector<std::string_view> method_ids() {
 /// A time step or an end time; negative: backward in time. It has one value, whatever the parameters are set to.
 double not_zero(const toml::node& node, SceneNumbers& numbers) {
     if (node.is_string() && !expression_of(node).names().empty())
-        fail_at(node, "must be a number: dt and until follow no parameters (--dt and --until change them)");
+        fail_at(node, "must be a number: dt and until follow no parameters; each run may have others");
     const double value = numbers.quantity(node, Use::start).value;
     if (value == 0) fail_at(node, "must not be 0");
     return value;

@@ -45,7 +45,7 @@ TextFormat format_of(TextInput& input, TextTrajectory::From from) {
     if (foreign) begin.remove_prefix(std::min(begin.find_first_not_of(" \t"), begin.size()));
     if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return TextFormat::xyz;
     if (begin.starts_with("run,step")) input.fail("it holds the runs of an ensemble: convert reads files of one run");
-    input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory), and no LAMMPS dump");
+    input.fail("it is none of steplab's formats (trajectory, CSV, extended XYZ), and no LAMMPS dump");
 }
 
 void TextTrajectory::require(const Columns& columns) const {

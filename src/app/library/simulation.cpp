@@ -2,6 +2,7 @@
 
 #include "app/library/implementation.hpp"
 #include "app/offscreen/modules.hpp"
+#include "core/appearance.hpp"
 #include "core/error.hpp"
 #include "session/run_view.hpp"
 
@@ -90,6 +91,7 @@ Picture Simulation::snapshot(const View& view) const {
         if (!allowed(view.width) || !allowed(view.height))
             throw steplab::UsageError(fmt::format("a picture has 1 to {} pixels along each side (got {} x {})",
                                                   longest_side, view.width, view.height));
+        if (!view.camera.empty()) parse_view(view.camera, "camera");
         PictureRequest request;
         request.view = view_of(body_->run);
         if (!view.camera.empty()) request.camera = view.camera;

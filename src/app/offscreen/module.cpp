@@ -22,7 +22,7 @@ ModuleAnswer answered(const std::function<void()>& action) noexcept {
     } catch (const Error& error) {
         return {error.code(), problem_text(error)};
     } catch (const std::bad_alloc&) {
-        return {ExitCode::usage, copy_or_short("not enough memory for the picture: choose a smaller --size")};
+        return {ExitCode::usage, copy_or_short("not enough memory for the picture: choose a smaller size")};
     } catch (const std::exception& error) {
         return {ExitCode::no_opengl, problem_text(error)};
     }

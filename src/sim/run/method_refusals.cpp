@@ -10,7 +10,7 @@ std::optional<std::string> backward_refusal(const RunDescription& description) {
     const bool own_steps = method(description.method).info.adaptive || chooses_its_steps(description);
     if (!(description.dt < 0) || !own_steps) return std::nullopt;
     return fmt::format(
-        "{} chooses its own steps, which go forward in time: dt must be > 0 (--reverse turns the velocities round)",
+        "{} chooses its own steps, which go forward in time: dt must be > 0; to go back, reverse the velocities",
         description.method);
 }
 
