@@ -6,10 +6,10 @@ import dataclasses
 from typing import Any, Iterable, Mapping
 
 from . import _core
-from ._arrays import count_from, number_from, values_from, word_from, words_from
+from ._arrays import count_from, flag_from, items_from, mapping_from, number_from, values_from, word_from, words_from
 from ._errors import UsageError
 from .runs import Counts, Floats, settings_from
-from .scene import Scene
+from .scene import Scene, core_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,7 +79,7 @@ def limits(scene: Scene, methods: str | Iterable[str] | None = None, precision: 
     >>> round(limit.theory, 4), round(limit.measured, 3)
     (2.0, 2.0)
     """
-    found = _core.limits(scene._core, words_from(methods, "methods"), word_from(precision, "precision"))
+    found = _core.limits(core_of(scene), words_from(methods, "methods"), word_from(precision, "precision"))
     return [Limit(**each) for each in found]
 
 
@@ -87,21 +87,19 @@ def compare(
     scene: Scene, runs: Iterable[Mapping[str, Any]], *, until: float, samples: int = 100
 ) -> list[Comparison]:
     """One to four runs of a scene beside its motion as accurately as it can be known. Each is given as what ``run()``
-    takes: method, dt, precision, parameters.
+    takes: method, dt, precision, parameters, threads. `samples` is from 1 to 1e9.
 
     >>> verlet, rk4 = compare(
     ...     Scene.model("oscillator"), [dict(method="verlet", dt=0.05), dict(method="rk4", dt=0.2)], until=10)
     >>> bool(rk4.error.max() < verlet.error.max()), int(rk4.evaluations[-1]), int(verlet.evaluations[-1])
     (True, 200, 200)
     """
-    settings = []
-    for given in runs:
-        unknown = set(given) - {"method", "dt", "precision", "parameters", "threads"}
-        if unknown:
-            raise UsageError(f"a run of compare() has no '{unknown.pop()}'; known are method, dt, precision, parameters, "
-                             "threads")
-        settings.append(settings_from(**given))
-    found = _core.compare(scene._core, settings, number_from(until, "until"), count_from(samples, "samples", 1))
+    scene_core = core_of(scene)
+    given = items_from(runs, "runs", f"a list of dicts, such as [{_A_RUN}]")
+    settings = [_settings_of(each, f"runs[{i}]") for i, each in enumerate(given)]
+    found = _core.compare(
+        scene_core, settings, number_from(until, "until"), count_from(samples, "samples", 1, 10**9)
+    )
     return [Comparison(**each) for each in found]
 
 
@@ -115,11 +113,11 @@ def report(
 ) -> list[Measurement]:
     """Every method and precision over a series of decreasing dt, or tolerances: what ``steplab report`` measures."""
     found = _core.report(
-        scene._core,
+        core_of(scene),
         number_from(until, "until"),
         words_from(methods, "methods"),
         words_from(precisions, "precisions"),
-        bool(quick),
+        flag_from(quick, "quick"),
     )
     return [_measurement(each) for each in found]
 
@@ -140,12 +138,12 @@ def advise(
     True
     """
     found = _core.advise(
-        scene._core,
+        core_of(scene),
         number_from(error, "error"),
         number_from(until, "until"),
         words_from(methods, "methods"),
         words_from(precisions, "precisions"),
-        bool(quick),
+        flag_from(quick, "quick"),
     )
     found["best"] = _measurement(found["best"])
     found["others"] = [_measurement(each) for each in found["others"]]
@@ -158,7 +156,20 @@ def order(scene: Scene, method: str, *, until: float) -> float | None:
     >>> round(order(Scene.model("chain"), "rk4", until=5), 1)
     4.0
     """
-    return _core.order(scene._core, word_from(method, "method"), number_from(until, "until"))
+    return _core.order(core_of(scene), word_from(method, "method"), number_from(until, "until"))
+
+
+_A_RUN = 'dict(method="rk4", dt=0.1)'
+
+
+def _settings_of(run: Any, name: str) -> dict[str, Any]:
+    """Of an entry of `runs`."""
+    given = mapping_from(run, name, f"a dict, such as {_A_RUN}")
+    known = ("method", "dt", "precision", "parameters", "threads")
+    for key in given:
+        if key not in known:
+            raise UsageError(f"{name} has no '{key}'; known are {', '.join(known)}")
+    return settings_from(**given, where=f"{name}: ")
 
 
 def _measurement(found: dict[str, Any]) -> Measurement:

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import os
-from typing import TYPE_CHECKING, Any, Mapping
+from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import array_to_fill, count_from, number_from, texts_from, word_from
+from ._arrays import array_to_fill, count_from, flag_from, number_from, path_from, texts_from, word_from
 from ._errors import Diverged, UsageError
-
-if TYPE_CHECKING:
-    from .scene import Scene
+from .scene import Scene, core_of
 
 Floats = npt.NDArray[np.float64]
 Counts = npt.NDArray[np.uint64]
@@ -66,14 +65,15 @@ def settings_from(
     precision: str = "",
     parameters: Mapping[str, Any] | None = None,
     threads: int = 0,
+    where: str = "",
 ) -> dict[str, Any]:
-    """How a scene is stepped, as the library takes it."""
+    """How a scene is stepped, as the library takes it. `where`: what messages have before the names."""
     return {
-        "method": word_from(method, "method"),
-        "dt": None if dt is None else number_from(dt, "dt"),
-        "precision": word_from(precision, "precision"),
-        "parameters": texts_from(parameters or {}),
-        "threads": count_from(threads, "threads"),
+        "method": word_from(method, f"{where}method"),
+        "dt": None if dt is None else number_from(dt, f"{where}dt"),
+        "precision": word_from(precision, f"{where}precision"),
+        "parameters": {} if parameters is None else texts_from(parameters, where),
+        "threads": count_from(threads, f"{where}threads"),
     }
 
 
@@ -99,7 +99,8 @@ def run(
     [s] is an end time instead of `steps`. `parameters` are those of the method. Other threads go on meanwhile, and
     Ctrl+C ends it.
 
-    Raises Diverged, with the rows until then as ``error.run``, if the run diverges and `check` is true.
+    Raises Diverged, with the rows until then as ``error.run``, if the run diverges and `check` is true; UsageError before
+    the first step if the rows do not fit memory.
 
     >>> result = run(Scene.model("chain", n=3), method="pefrl", dt=0.05, steps=100, every=10)
     >>> result.positions.shape, result.energy.shape
@@ -107,15 +108,16 @@ def run(
     >>> result.status, float(abs(result.energy_error).max()) < 1e-6
     ('ok', True)
     """
+    check = flag_from(check, "check")
     result = Run(
         **_core.run(
-            scene._core,
+            core_of(scene),
             settings_from(method, dt, precision, parameters, threads),
             None if steps is None else count_from(steps, "steps"),
             None if until is None else number_from(until, "until"),
             count_from(every, "every"),
-            bool(positions),
-            bool(velocities),
+            flag_from(positions, "positions"),
+            flag_from(velocities, "velocities"),
         )
     )
     if check and result.status != "ok":
@@ -131,7 +133,7 @@ def read(file: str | os.PathLike[str], *, first: int = 0, every: int = 1) -> Tra
     The file is one that ``steplab run --out`` wrote, or another program as extended XYZ or LAMMPS dump, also compressed.
     Steps are numbered in order where it has none; velocities that it does not have are 0.
     """
-    return Trajectory(**_core.read(os.fspath(file), count_from(first, "first"), count_from(every, "every", 1)))
+    return Trajectory(**_core.read(path_from(file, "file"), count_from(first, "first"), count_from(every, "every", 1)))
 
 
 class Simulation:
@@ -153,7 +155,7 @@ class Simulation:
         parameters: Mapping[str, Any] | None = None,
         threads: int = 0,
     ) -> None:
-        self._core = _core.Simulation(scene._core, settings_from(method, dt, precision, parameters, threads))
+        self._core = _core.Simulation(core_of(scene), settings_from(method, dt, precision, parameters, threads))
         self._lost = False
 
     def advance(self, steps: int) -> None:
@@ -214,8 +216,13 @@ class Simulation:
         return self._filled("forces", out)
 
     def snapshot(self, width: int = 640, height: int = 360, camera: str = "") -> Picture:
-        """A picture of the present state, drawn without a display. `camera`: as ``--view`` of ``steplab snapshot``."""
-        pixels = self._checked().snapshot(count_from(width, "width", 1), count_from(height, "height", 1), camera)
+        """A picture of the present state, drawn without a display: `width` times `height` pixels, 1 to 8192 each.
+
+        `camera` is one of the words "default", "front", "side" and "top", or "yaw,pitch,distance,x,y,z": angles in
+        degrees, the distance from the point x, y, z at the centre [m]. Raises GraphicsError where nothing can be drawn.
+        """
+        side = functools.partial(count_from, least=1, most=8192)
+        pixels = self._checked().snapshot(side(width, "width"), side(height, "height"), word_from(camera, "camera"))
         return Picture(pixels)
 
     def _filled(self, what: str, out: Floats | None) -> Floats:
@@ -233,7 +240,7 @@ class Simulation:
             raise UsageError("this simulation was interrupted in a step and is lost: begin another one")
 
     def __reduce__(self) -> Any:
-        raise TypeError("a Simulation cannot be pickled: pickle its scene, and positions() and velocities()")
+        raise UsageError("a Simulation cannot be pickled: pickle its scene, and positions() and velocities()")
 
 
 class Picture:

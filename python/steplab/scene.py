@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import Scene as _CoreScene
-from ._arrays import array_from, number_from, texts_from, values_from, word_from
+from ._arrays import array_from, number_from, of_type, path_from, texts_from, values_from, word_from
+from ._errors import UsageError
 
 
 class Scene:
@@ -24,7 +25,7 @@ class Scene:
     """
 
     def __init__(self, *_: object) -> None:
-        raise TypeError("make a scene by Scene.model(), Scene.from_file(), Scene.from_text() or Scene.from_arrays()")
+        raise UsageError("make a scene by Scene.model(), Scene.from_file(), Scene.from_text() or Scene.from_arrays()")
 
     _core: _CoreScene
 
@@ -46,7 +47,7 @@ class Scene:
         >>> Scene.from_file("figure-eight").particles
         3
         """
-        return Scene._of(_CoreScene.from_file(os.fspath(name), texts_from(parameters)))
+        return Scene._of(_CoreScene.from_file(path_from(name, "name"), texts_from(parameters)))
 
     @classmethod
     def from_text(cls, text: str, **parameters: Any) -> Scene:
@@ -146,6 +147,11 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<steplab.Scene {self.name}: {self.particles} particle{'s' if self.particles != 1 else ''}>"
+
+
+def core_of(scene: Any) -> _CoreScene:
+    """What the library has of a scene that was given to a function."""
+    return of_type(scene, "scene", Scene, 'a steplab.Scene, such as Scene.model("chain")')._core
 
 
 def _restored(saved: str) -> Scene:
