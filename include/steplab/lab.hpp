@@ -40,7 +40,7 @@ struct Comparison {
     std::string reason = {};     ///< empty unless it diverged
 };
 
-/// Runs of one scene, one to four, compared at `samples` (1 to 1e9) equal parts of the time `until` > 0. Throws
+/// Runs of one scene, one to four, compared at `samples` (1 to 1e12) equal parts of the time `until` > 0. Throws
 /// UsageError, also where the samples do not fit memory, Interrupted.
 STEPLAB_PUBLIC std::vector<Comparison> compare(const Scene& scene, const std::vector<Settings>& runs, double until,
                                                std::uint64_t samples = 100);

@@ -87,7 +87,7 @@ def compare(
     scene: Scene, runs: Iterable[Mapping[str, Any]], *, until: float, samples: int = 100
 ) -> list[Comparison]:
     """One to four runs of a scene beside its motion as accurately as it can be known. Each is given as what ``run()``
-    takes: method, dt, precision, parameters, threads. `samples` is from 1 to 1e9.
+    takes: method, dt, precision, parameters, threads. `samples` is from 1 to 1e12.
 
     >>> verlet, rk4 = compare(
     ...     Scene.model("oscillator"), [dict(method="verlet", dt=0.05), dict(method="rk4", dt=0.2)], until=10)
@@ -98,7 +98,7 @@ def compare(
     given = items_from(runs, "runs", f"a list of dicts, such as [{_A_RUN}]")
     settings = [_settings_of(each, f"runs[{i}]") for i, each in enumerate(given)]
     found = _core.compare(
-        scene_core, settings, number_from(until, "until"), count_from(samples, "samples", 1, 10**9)
+        scene_core, settings, number_from(until, "until"), count_from(samples, "samples", 1, 10**12)
     )
     return [Comparison(**each) for each in found]
 

@@ -19,7 +19,7 @@ namespace steplab::library {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint64_t most_samples = 1'000'000'000;
+constexpr std::uint64_t most_samples = 1'000'000'000'000;
 constexpr double bytes_of_sample = 6 * sizeof(double) + sizeof(std::uint64_t);
 
 void check_positive(double value, std::string_view name) {
