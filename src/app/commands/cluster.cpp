@@ -87,6 +87,7 @@ private:
     int submit(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
         if (submit_ != batch_systems[0]) throw UsageError(unknown_word("batch system", submit_, batch_systems));
         if (files_.empty()) throw UsageError("--submit needs --files DIR, a folder that the cluster can read");
+        refuse_results(files_);
         const LammpsExport written = export_to_lammps(run, time, files_);
         const std::string batch = write_slurm_file(files_, model_of(run).info.name, ranks);
         print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)) +
@@ -101,6 +102,7 @@ private:
         if (files_.empty()) temporary.emplace("lammps-");
         const std::string& folder = temporary ? temporary->path() : files_;
         try {
+            remove_results(folder);
             const LammpsExport written = export_to_lammps(run, time, folder);
             LammpsRun lammps(folder, ranks);
             const auto begin = std::chrono::steady_clock::now();

@@ -22,6 +22,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -43,6 +44,8 @@ constexpr const char* examples =
 
 /// What is written by whole frames: a LAMMPS dump, or files of VTK.
 enum class FrameFormat { dump, pvd };
+
+constexpr std::array<std::string_view, 2> frame_formats{"dump", "pvd"};
 
 /// By its name, or the ending of a file; none of another one.
 std::optional<FrameFormat> frame_format(const std::string& name, const std::string& out) {
@@ -78,7 +81,8 @@ public:
 private:
     void convert() {
         if (const auto format = frame_format(format_, out_)) return convert_frames(*format);
-        const TrajectoryFormat format = format_.empty() ? trajectory_format_of(out_) : trajectory_format(format_);
+        const TrajectoryFormat format =
+            format_.empty() ? trajectory_format_of(out_, frame_formats) : trajectory_format(format_, frame_formats);
         const Columns columns = columns_.empty() ? Columns() : parse_columns(columns_);
         check_compression(format, out_);
         check_columns(format, columns);

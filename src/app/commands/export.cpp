@@ -8,6 +8,7 @@
 #include "core/interruption.hpp"
 #include "core/text.hpp"
 #include "io/compression.hpp"
+#include "io/lammps/lammps_output.hpp"
 #include "io/output_file.hpp"
 #include "io/scene_export.hpp"
 #include "io/trajectory.hpp"
@@ -76,6 +77,7 @@ private:
         if (run.dt < 0) throw UsageError("LAMMPS goes forward in time: dt must be > 0");
         const LammpsTime time = lammps_.time(time_.end(run).step);
         catch_interruptions();
+        refuse_results(out_);
         print(export_text(export_to_lammps(run, time, out_), out_));
     }
 

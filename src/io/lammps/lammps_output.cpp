@@ -10,10 +10,12 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 namespace steplab {
 
@@ -71,9 +73,29 @@ std::optional<LammpsLoop> loop_in(const std::string& line) {
     return LammpsLoop{*time, static_cast<std::uint64_t>(*count)};
 }
 
+constexpr std::array result_files{lammps_files::log, lammps_files::trajectory, lammps_files::screen};
+
 TextInput log_of(const std::string& folder) { return TextInput(InputFile(folder + '/' + lammps_files::log)); }
 
 }  // namespace
+
+void refuse_results(const std::string& folder) {
+    for (const char* const name : result_files) {
+        if (std::filesystem::exists(std::filesystem::path(folder) / name))
+            throw FileError(
+                fmt::format("'{}' holds the results of an earlier job ({}): choose another folder, or remove "
+                            "them",
+                            shown(folder), name));
+    }
+}
+
+void remove_results(const std::string& folder) {
+    for (const char* const name : result_files) {
+        std::error_code error;
+        std::filesystem::remove(std::filesystem::path(folder) / name, error);
+        if (error) throw FileError(fmt::format("cannot remove '{}/{}': {}", shown(folder), name, error.message()));
+    }
+}
 
 std::optional<std::uint64_t> LammpsOutput::step() const {
     std::istringstream lines(tail_of(folder_ + '/' + lammps_files::log));

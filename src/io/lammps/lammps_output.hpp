@@ -22,6 +22,12 @@ struct LammpsLoop {
     std::uint64_t ranks = 0;
 };
 
+/// Throws FileError if a folder holds results of LAMMPS: files of another scene beside them would make them look as if
+/// they were of that.
+void refuse_results(const std::string& folder);
+/// Removes them. Throws FileError.
+void remove_results(const std::string& folder);
+
 /// What LAMMPS writes beside the files of an export (export_to_lammps()), while it runs and afterwards.
 class LammpsOutput {
 public:

@@ -198,6 +198,25 @@ TEST(Cluster, collects_the_results_of_a_batch_job) {
     EXPECT_THAT(cut.err, HasSubstr("has not gone all steps (step 50 of 50)"));
 }
 
+// Else they would be collected as those of the new scene.
+TEST(Cluster, files_of_another_scene_do_not_come_beside_results) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    ASSERT_EQ(steplab({"cluster", "--ranks", "1", "--files", "job"}, small_mesh, here).code, 0);
+    const std::string log = text_of(folder.file("job/log.lammps")), scene = text_of(folder.file("job/in.scene"));
+    for (const std::vector<std::string>& again : {std::vector<std::string>{"export", "--to", "lammps", "--out", "job"},
+                                                  {"cluster", "--ranks", "1", "--submit", "slurm", "--files", "job"}}) {
+        const Outcome outcome = steplab(again, {"--model", "chain", "--steps", "9"}, here);
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_THAT(outcome.err, HasSubstr("'job' holds the results of an earlier job (log.lammps)"));
+        EXPECT_EQ(text_of(folder.file("job/log.lammps")), log);
+        EXPECT_EQ(text_of(folder.file("job/in.scene")), scene);
+    }
+    const Outcome another =
+        steplab({"cluster", "--ranks", "1", "--files", "job"}, {"--model", "chain", "--steps", "9"}, here);
+    EXPECT_EQ(another.code, 0) << "it begins again: " << another.err;
+}
+
 TEST(Cluster, with_another_program_than_lmp_says_what_is_wrong_with_it) {
     const TemporaryFolder folder;
     put_program(folder, "silent", "exit 1\n");
@@ -227,6 +246,8 @@ TEST(Cluster, refuses_wrong_use) {
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "slurm"}), HasSubstr("--files DIR"));
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "slurm", "--files", "x", "--out", "a.csv"}),
                 HasSubstr("--collect DIR"));
+    EXPECT_THAT(message({"convert", "x.csv", "--out", "x.png"}), HasSubstr(".dump, .pvd"));
+    EXPECT_THAT(message({"convert", "x.csv", "--format", "vtk"}), HasSubstr("dump, pvd"));
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--collect", "x"}), HasSubstr("a job that has ended"));
     EXPECT_THAT(message({"cluster", "--ranks", "2", "--out", "x.png"}), HasSubstr("png"));
     EXPECT_THAT(message({"export", "--model", "chain", "--to", "lammps"}), HasSubstr("--out DIR"));
