@@ -96,7 +96,7 @@ ChildProgram::ChildProgram(std::vector<std::string> arguments, Input input, int 
 
 ChildProgram::~ChildProgram() {
     if (process_ > 0) {
-        kill(process_, SIGKILL);
+        kill(-process_, SIGKILL);  // and what it has started in its group
         waitpid(process_, nullptr, 0);
     }
     close_input();
@@ -144,7 +144,7 @@ std::optional<ChildProgram::End> ChildProgram::ended() {
 
 void ChildProgram::ask_to_end(double seconds) {
     if (process_ <= 0) return;
-    kill(process_, SIGTERM);
+    kill(-process_, SIGTERM);
     const int times = static_cast<int>(seconds * 1000) / milliseconds_of_waiting;
     for (int i = 0; i < times && !ended(); ++i) poll(nullptr, 0, milliseconds_of_waiting);
     process_ = 0;

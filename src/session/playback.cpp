@@ -1,6 +1,5 @@
 #include "session/playback.hpp"
 
-#include "core/clamped.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "io/indexed_text.hpp"
@@ -16,9 +15,6 @@
 
 namespace steplab {
 namespace {
-
-/// Of the distance of frames: a time that is written rounded is that of its frame.
-constexpr double rounding_of_times = 1e-6;
 
 [[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
     throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
@@ -81,9 +77,7 @@ struct Playback::Handle {
                                 : of.number_ + std::min(of.frames() - 1 - of.number_, size));
     }
     void operator()(const event::Seek& seek) const { of.go_to(of.frame_of(seek.step)); }
-    void operator()(const event::SeekTime& seek) const {
-        of.go_to(of.frame_at(of.elapsed_at(seek.time) + rounding_of_times * of.spacing()));
-    }
+    void operator()(const event::SeekTime& seek) const { of.go_to(of.frame_at_time(seek.time)); }
     void operator()(const event::Restart&) const { of.go_to(0); }
     void operator()(const event::SetRate& rate) const { of.rate_ = rate.rate; }
     void operator()(const event::Track& track) const {
@@ -230,59 +224,6 @@ void Playback::find_next() {
     }
 }
 
-double Playback::spacing() const {
-    return frames() > 1 ? elapsed_at(last_time_) / static_cast<double>(frames() - 1) : 0;
-}
-
-/// The last frame that is reached, if the first one is; frames are spaced evenly as a rule, so that the guess, this
-/// part of them, is right or nearly so.
-template <class Reached>
-std::uint64_t Playback::last_frame(double part, const Reached& reached) {
-    const double place = part * static_cast<double>(frames() - 1);
-    const auto guess = clamped_floor<std::uint64_t>(place, 0, 9'000'000'000'000'000);
-    std::uint64_t first = 0, end = frames();
-    for (std::uint64_t probe = std::min(guess, end - 1); first + 1 < end;) {
-        const bool is_first_probe = probe == guess;
-        if (probe == first || reached(file_frames_->moment(probe))) {
-            first = probe;
-            probe = is_first_probe ? first + 1 : first + (end - first) / 2;
-        } else {
-            end = probe;
-            probe = is_first_probe ? end - 1 : first + (end - first) / 2;
-        }
-    }
-    return first;
-}
-
-/// The last one that is no later than this step.
-std::uint64_t Playback::frame_of(std::uint64_t step) {
-    const double part = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 0;
-    return last_frame(part, [&](const FrameBlock::Moment& moment) { return moment.step <= step; });
-}
-
-/// The last one that is no later than this.
-std::uint64_t Playback::frame_at(double elapsed) {
-    const double part = elapsed_at(last_time_) > 0 ? elapsed / elapsed_at(last_time_) : 0;
-    return last_frame(part, [&](const FrameBlock::Moment& moment) { return elapsed_at(moment.time) <= elapsed; });
-}
-
-double Playback::elapsed_to(const RunEnd& end) {
-    const std::uint64_t frame =
-        end.time ? frame_at(elapsed_at(*end.time) + rounding_of_times * spacing()) : frame_of(end.step);
-    return elapsed_at(file_frames_->moment(frame).time);
-}
-
-bool Playback::ends_before(const RunEnd& end) const {
-    if (!end.time) return last_step_ < end.step;
-    return elapsed_at(last_time_) + rounding_of_times * spacing() < elapsed_at(*end.time);
-}
-
-/// The first one that is no earlier than this.
-std::uint64_t Playback::first_frame_from(double elapsed) {
-    const std::uint64_t frame = frame_at(elapsed);
-    return elapsed_at(file_frames_->moment(frame).time) < elapsed ? std::min(frame + 1, frames() - 1) : frame;
-}
-
 void Playback::bookmark(const std::string& text) { toggle_mark(bookmarks_, {frame_.step, frame_.time, text}); }
 
 void Playback::observe(SessionView& view) {
@@ -345,7 +286,7 @@ PlayedStart played_start(const std::string& file) {
     const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
     text->require({Column::x, Column::y, Column::z});
     if (!text->next(first)) refuse_file(file, "it holds no frame");
-    PlayedStart start{unknown_run(file)};
+    PlayedStart start{unknown_run(file), {}, first.rows};
     for (const ParticleValues& column : first.values) start.columns.push_back(column.name);
     return start;
 }

@@ -80,8 +80,9 @@ private:
     std::uint64_t first_frame_from(double elapsed);
     std::uint64_t frame_of(std::uint64_t step);
     std::uint64_t frame_at(double elapsed);
-    template <class Reached>
-    std::uint64_t last_frame(double part, const Reached& reached);
+    std::uint64_t frame_at_time(double time);
+    template <class Ahead>
+    std::uint64_t last_frame(double part, const Ahead& ahead);
     double elapsed_at(double time) const { return backward_ ? first_time_ - time : time - first_time_; }
     double spacing() const;
     bool is_measured() const { return meter_.has_value(); }
@@ -122,6 +123,7 @@ private:
 struct PlayedStart {
     RunDescription run;                     ///< that wrote it
     std::vector<std::string> columns = {};  ///< names of the further values of the particles of its first frame
+    std::size_t particles = 0;              ///< of its first frame, where the run does not say how many; else 0
 };
 
 /// Reads no more than the first frame. Throws FileError if that cannot be played.

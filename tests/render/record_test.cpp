@@ -90,6 +90,27 @@ TEST_F(Record, of_a_damaged_file_the_frames_before_the_fault_are_drawn) {
     }
 }
 
+TEST_F(Record, particles_of_a_file_are_marked_by_their_numbers) {
+    put_text(file("a.xyz"), "3\nTime=0\nH 0 0 0\nH 1 0 0\nH 2 0 0\n");
+    const Words look{"--trajectory", "a.xyz", "--view", "0,0,9,1,0,0", "--size", "96x64"};
+    ASSERT_EQ(snapshot(joined(look, {"--particle", "2,0", "--out", "two.png"})).code, 0);
+    ASSERT_EQ(snapshot(joined(look, {"--out", "none.png"})).code, 0);
+    EXPECT_NE(bytes("two.png"), bytes("none.png"));
+    EXPECT_EQ(snapshot(joined(look, {"--particle", "3", "--out", "b.png"})).code, 2);
+    EXPECT_EQ(record(joined(look, {"--particle", "1", "--out", "c%d.png"})).code, 0);
+}
+
+TEST_F(Record, of_plots_without_room_above_a_caption_is_refused) {
+    const Outcome outcome = snapshot(
+        {"--ui", "on", "--plots", "energies", "--size", "430x520", "--caption", "a\nb\nc\nd\ne", "--out", "a.png"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("the caption leaves no room for plots"));
+    EXPECT_EQ(files(), 0U);
+    EXPECT_EQ(
+        snapshot({"--ui", "on", "--plots", "energies", "--size", "430x500", "--caption", "a", "--out", "a.png"}).code,
+        0);
+}
+
 TEST_F(Record, sides_of_a_film_may_be_odd_where_its_format_allows_it) {
     const auto with_size = [&](const std::string& name) {
         return record({"--until", "0.1", "--size", "101x75", "--out", name});

@@ -28,9 +28,12 @@ constexpr ParameterInfo displacements_info{.name = "--displacements",
                                            .maximum = render::most_magnified,
                                            .what = "factor by which displacements are drawn"};
 
+std::size_t particles_of(const RunDescription& run) {
+    return static_cast<std::size_t>(model_of(run).particles(run.scene));
+}
+
 /// The first one of the list first.
-void select(std::string_view list, const RunDescription& description, render::Style& style) {
-    const auto count = static_cast<std::size_t>(model_of(description).particles(description.scene));
+void select(std::string_view list, std::size_t count, render::Style& style) {
     std::vector<std::size_t> all = parse_particles("--particle", list, count);
     style.selected = parse_particles("--particle", list.substr(0, list.find_first_of(",-")), count).front();
     std::erase(all, *style.selected);
@@ -77,7 +80,7 @@ const std::string& AppearanceOptions::said(const RunDescription& description, co
     return file.empty() ? value : file;
 }
 
-render::Style AppearanceOptions::style(const RunDescription& description) const {
+render::Style AppearanceOptions::style(const RunDescription& description, std::size_t particles) const {
     render::Style style;
     const std::string& colour = said(description, "--colour", colour_, &SceneDefaults::colour);
     if (colour.starts_with(render::column_prefix)) {
@@ -92,7 +95,7 @@ render::Style AppearanceOptions::style(const RunDescription& description) const 
     style.forces = is_on("--forces", forces_);
     style.displacements = parse_value(displacements_info, displacements_);
     style.mass = facts_of(description).mass;
-    if (!particle_.empty()) select(particle_, description, style);
+    if (!particle_.empty()) select(particle_, particles > 0 ? particles : particles_of(description), style);
     return style;
 }
 

@@ -29,8 +29,8 @@ public:
     void declare(CLI::App& app, const Help& help);
 
     /// How the scene is drawn, without pixel_scale: as is given, else as the scene's file says. Throws UsageError for
-    /// values of another form or out of range.
-    render::Style style(const RunDescription& description) const;
+    /// values of another form or out of range. `particles`: how many there are; 0: as the description says.
+    render::Style style(const RunDescription& description, std::size_t particles = 0) const;
     /// Puts what a person chose before into a style, where neither the command line nor the scene's file says it.
     void put_remembered(const ui::ViewChoices& choices, const RunDescription& description, render::Style& style) const;
     /// The camera as text, to be read by render::camera_of(): that given, else that of the scene's file; empty if there

@@ -59,6 +59,7 @@ GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
     return {.trajectory = trajectory_,
             .played_run = std::move(start.run),
             .columns = std::move(start.columns),
+            .particles = start.particles,
             .name = trajectory_};
 }
 

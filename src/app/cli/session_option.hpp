@@ -22,6 +22,7 @@ struct GivenSession {
     std::string trajectory = {};                    ///< empty: none
     std::optional<RunDescription> played_run = {};  ///< that wrote the trajectory
     std::vector<std::string> columns = {};          ///< that its frames have besides
+    std::size_t particles = 0;                      ///< of them, where the run does not say how many; else 0
     std::optional<Lesson> lesson = {};
     std::string name = {};  ///< of the file or lesson that is played, as it was given
 

@@ -57,7 +57,7 @@ void ViewOptions::declare(CLI::App& app) {
     const std::string group = "Window";
     text_option(app, "--size", size_, "WxH", "Size of the window in pixels (default 1280x800)", group);
     appearance_.declare(app, {.group = group,
-                              .particle = "Select this particle",
+                              .particle = "Select these particles, the first one first",
                               .panel = "Show the panel and the plots (default: where the window has room)",
                               .scale = "Scale of the interface, 0.5 to 8 (default: that of the display)"});
     content_.declare(app, {.group = group,
@@ -99,7 +99,7 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
     read_size(size_, request);
     if (const auto scale = appearance_.scale()) request.scale = static_cast<float>(*scale);
     request.view = appearance_.view(description);
-    request.style = appearance_.style(description);
+    request.style = appearance_.style(description, session.particles);
     runs_.put_into(request.style);
     request.panel = appearance_.panel();
     request.steps = time_.steps(description);

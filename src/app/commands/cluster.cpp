@@ -67,6 +67,7 @@ public:
         if (!collect_.empty()) return collect(run, time);
         const std::uint64_t ranks = ranks_of(ranks_);
         if (!submit_.empty()) return submit(run, time, ranks);
+        check_ranks(ranks, model_of(run).particles(run.scene));
         check_lammps_installed(ranks);
         return compute(run, time, ranks);
     }
@@ -84,6 +85,12 @@ private:
                 "once the job has ended");
     }
 
+    static void check_ranks(std::uint64_t ranks, double particles) {
+        if (static_cast<double>(ranks) > particles)
+            throw UsageError(
+                fmt::format("--ranks {}: the scene has {:.0f} particles; a rank takes one at least", ranks, particles));
+    }
+
     int submit(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
         if (submit_ != batch_systems[0]) throw UsageError(unknown_word("batch system", submit_, batch_systems));
         if (files_.empty()) throw UsageError("--submit needs --files DIR, a folder that the cluster can read");
@@ -91,8 +98,8 @@ private:
         const LammpsExport written = export_to_lammps(run, time, files_);
         const std::string batch = write_slurm_file(files_, model_of(run).info.name, ranks);
         print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)) +
-              fmt::format("  {:<14}the same SCENE and TIME with --collect {} --out FILE --summary FILE\n", "afterwards",
-                          shown(files_)));
+              fmt::format("  {:<14}the same SCENE, TIME and --every with --collect {} --out FILE --summary FILE\n",
+                          "afterwards", shown(files_)));
         return static_cast<int>(ExitCode::done);
     }
 
@@ -108,7 +115,7 @@ private:
             const auto begin = std::chrono::steady_clock::now();
             wait_for(lammps, time.steps);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-            give_results(run, time, written, lammps.output(), {seconds, ranks});
+            give_results(run, time, written, lammps.output(), seconds);
         } catch (const UsageError&) {
             throw;
         } catch (...) {
@@ -122,23 +129,24 @@ private:
     /// Of a batch job, which was written from the same scene.
     int collect(const RunDescription& run, const LammpsTime& time) const {
         const LammpsExport written = check_is_export(run, time, collect_);
-        const LammpsOutput output(collect_);
-        const std::optional<LammpsLoop> loop = output.loop();
-        if (!loop)
-            throw Error(ExitCode::diverged,
-                        fmt::format("LAMMPS in '{}' has not gone all steps (step {} of {}): {}", shown(collect_),
-                                    output.step().value_or(0), time.steps, output.message()));
-        give_results(run, time, written, output, *loop);
+        give_results(run, time, written, LammpsOutput(collect_), std::nullopt);
         return static_cast<int>(ExitCode::done);
     }
 
+    /// Whatever it said at its end, it has to have gone all steps. `seconds`: none: as LAMMPS says.
     void give_results(const RunDescription& run, const LammpsTime& time, const LammpsExport& written,
-                      const LammpsOutput& output, const LammpsLoop& loop) const {
-        RunSummary summary = cluster_summary(run, time.steps, written.particles, output.energies(), loop.seconds);
+                      const LammpsOutput& output, std::optional<double> seconds) const {
+        const std::vector<LammpsEnergy> energies = output.energies();
+        const std::optional<LammpsLoop> loop = output.loop();
+        if (!loop || energies.back().step != time.steps)
+            throw Error(ExitCode::diverged, fmt::format("LAMMPS has not gone all steps (step {} of {}): {}",
+                                                        energies.back().step, time.steps, output.message()));
+        RunSummary summary =
+            cluster_summary(run, time.steps, written.particles, energies, seconds.value_or(loop->seconds));
         summary.notes = written.notes;
         summary.notes.push_back(
-            fmt::format("computed by {} on {} MPI rank{}", output.version(), loop.ranks, loop.ranks == 1 ? "" : "s"));
-        if (!out_.empty()) write_cluster_rows(run, output.folder(), summary.result, out_);
+            fmt::format("computed by {} on {} MPI rank{}", output.version(), loop->ranks, loop->ranks == 1 ? "" : "s"));
+        if (!out_.empty()) write_cluster_rows(run, time, output.folder(), summary.result, out_);
         report(summary);
         if (const auto& diverged = summary.result.divergence) throw Error(ExitCode::diverged, diverged->message);
     }

@@ -23,6 +23,26 @@ namespace steplab {
 
 namespace {
 
+/// The moments that a dump of a run is to have.
+class ExpectedMoments {
+public:
+    explicit ExpectedMoments(const LammpsTime& time)
+        : last_(time.steps), every_(time.every > 0 ? time.every : std::max<std::uint64_t>(1, time.steps)) {}
+
+    void take(std::uint64_t step) {
+        if (step != next_)
+            throw FileError(fmt::format("the dump of LAMMPS has step {} where step {} belongs", step, next_));
+        next_ = step < last_ ? std::min(step + every_, last_) : last_ + 1;
+    }
+    void check_reached(std::uint64_t step) const {
+        if (next_ <= step)
+            throw FileError(fmt::format("the dump of LAMMPS ends before step {}, it is to reach {}", next_, step));
+    }
+
+private:
+    std::uint64_t last_, every_, next_ = 0;
+};
+
 /// Of two files, a piece at a time. Throws FileError.
 bool same_content(const std::string& a, const std::string& b) {
     const InputFile first(a), second(b);
@@ -71,18 +91,21 @@ Divergence divergence_at(const LammpsEnergy& energy, double dt) {
 
 }  // namespace
 
-void write_cluster_rows(const RunDescription& run, const std::string& folder, const RunResult& until,
-                        const std::string& out) {
+void write_cluster_rows(const RunDescription& run, const LammpsTime& time, const std::string& folder,
+                        const RunResult& until, const std::string& out) {
     const RunDescription held = as_held(run);
     OutputFile file(out, compression_of(out));
     TrajectoryWriter writer(file, trajectory_format_of(out), run);
     RunFrame frame(held);
     LammpsDump dump(folder + '/' + lammps_files::trajectory, until.particles);
+    ExpectedMoments expected(time);
     for (LammpsMoment moment; dump.next(moment) && moment.step <= until.steps;) {
         check_interruption();
+        expected.take(moment.step);
         const double time = static_cast<double>(moment.step) * held.dt;
         writer.add(frame.at(moment.step, time, moment.positions, moment.velocities, writer.needs()));
     }
+    expected.check_reached(until.steps);
     writer.finish();
     file.commit();
 }

@@ -11,9 +11,9 @@
 namespace steplab {
 
 /// Writes the trajectory of a run of LAMMPS in a folder, up to a step, to a file of steplab, or to standard output (-).
-/// Throws FileError.
-void write_cluster_rows(const RunDescription& run, const std::string& folder, const RunResult& until,
-                        const std::string& out);
+/// Throws FileError, also unless it has each moment of that time once.
+void write_cluster_rows(const RunDescription& run, const LammpsTime& time, const std::string& folder,
+                        const RunResult& until, const std::string& out);
 
 /// What export_to_lammps() says of the files in a folder. Throws UsageError where they are not those of this run and
 /// time, FileError where there are none.

@@ -8,6 +8,7 @@
 #include "app/commands/run_frame.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/compression.hpp"
 #include "io/dump_text.hpp"
@@ -23,6 +24,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -88,6 +90,8 @@ private:
         check_columns(format, columns);
         InputFile input(file_);
         catch_interruptions();
+        if (scene_.any_given() && (format != TrajectoryFormat::trajectory || TrajectoryReader::reads(input)))
+            throw UsageError("the options of a scene are for a text that is to become a trajectory: leave them out");
         if (TrajectoryReader::reads(input)) {
             convert(TrajectoryReader(std::move(input)), format, columns);
         } else {
@@ -98,6 +102,8 @@ private:
 
     void convert_frames(FrameFormat format) {
         if (!columns_.empty()) throw UsageError("--columns selects those of CSV and XYZ");
+        if (scene_.any_given())
+            throw UsageError("the options of a scene are for a text that is to become a trajectory: leave them out");
         if (format == FrameFormat::pvd && out_ == "-")
             throw UsageError("--format pvd writes several files: --out NAME.pvd");
         catch_interruptions();
@@ -154,12 +160,33 @@ private:
                 if (!text.next(frame)) return std::nullopt;
             } catch (const FileError& fault) {
                 if (frames == 0) throw;
-                return FileError(fmt::format("{}; the {} before it {} written", fault.what(),
-                                             frames == 1 ? "frame" : fmt::format("{} frames", frames),
-                                             frames == 1 ? "was" : "were"));
+                return behind(fault, frames);
             }
             visit(frame);
         }
+    }
+
+    /// The same of a trajectory. A fault between its frames is kept, that of its end is told by check_complete().
+    template <class Visit>
+    void each_before_a_fault(TrajectoryReader& reader, const Visit& visit) {
+        std::uint64_t frames = 0;
+        try {
+            reader.each_block([&](FrameBlock block) {
+                check_interruption();
+                const std::uint64_t until = block.first_frame + block.moments.size();
+                visit(std::move(block));
+                frames = until;
+            });
+        } catch (const FileError& fault) {
+            if (frames == 0) throw;
+            fault_ = behind(fault, frames);
+        }
+    }
+
+    static FileError behind(const FileError& fault, std::uint64_t frames) {
+        return FileError(fmt::format("{}; the {} before it {} written", fault.what(),
+                                     frames == 1 ? "frame" : fmt::format("{} frames", frames),
+                                     frames == 1 ? "was" : "were"));
     }
 
     /// All that can be read, whole.
@@ -174,8 +201,7 @@ private:
         }
         TrajectoryReader reader(std::move(input));
         check_holds_frames(reader);
-        reader.each_block([&](FrameBlock block) {
-            check_interruption();
+        each_before_a_fault(reader, [&](FrameBlock block) {
             block.complete({.positions = true});
             frames.add(block);
         });
@@ -194,15 +220,14 @@ private:
                                         shown(file_), reader.frames()));
     }
 
-    void convert(TrajectoryReader reader, TrajectoryFormat format, const Columns& columns) const {
+    void convert(TrajectoryReader reader, TrajectoryFormat format, const Columns& columns) {
         if (format != TrajectoryFormat::trajectory) reader.require(columns);
         check_holds_frames(reader);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
             if (format == TrajectoryFormat::trajectory) writer.describe(reader.version(), reader.description());
             Progress progress(reader.frames(), isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) == 0);
-            reader.each_block([&](FrameBlock block) {
-                check_interruption();
+            each_before_a_fault(reader, [&](FrameBlock block) {
                 progress.at(block.first_frame + block.moments.size());
                 writer.add(std::move(block));
             });
@@ -252,10 +277,15 @@ private:
         });
     }
 
-    /// A text without times has steps in their place.
-    static double time_of(const FrameBlock::Moment& moment, double dt) {
+    /// A text without times has steps in their place. Throws UsageError where the time is not that of the step.
+    double time_of(const FrameBlock::Moment& moment, double dt) const {
+        constexpr double rounding = 1e-6;  // of six digits, as other programs write them
         const auto step = static_cast<double>(moment.step);
-        return moment.time == step ? step * dt : moment.time;
+        if (moment.time == step || std::abs(moment.time - step * dt) <= rounding * std::abs(step * dt))
+            return step * dt;
+        throw UsageError(fmt::format("step {} of '{}' is at {} s, but with --dt {} at {} s: is it another dt?",
+                                     moment.step, shown(file_), number_text(moment.time), number_text(dt),
+                                     number_text(step * dt)));
     }
 
     /// All particles of the scene in their order.

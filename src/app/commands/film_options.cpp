@@ -29,7 +29,9 @@ void FilmOptions::declare(CLI::App& app) {
     picture_.declare(app);
 }
 
-PictureRequest FilmOptions::request(const RunDescription& description) const { return picture_.request(description); }
+PictureRequest FilmOptions::request(const RunDescription& description, std::size_t particles) const {
+    return picture_.request(description, particles);
+}
 
 FilmFormat FilmOptions::format(render::PictureSize size) const {
     FilmFormat format{out_, size, fps()};

@@ -12,7 +12,7 @@ class FilmOptions {
 public:
     void declare(CLI::App& app);
     /// What is drawn, without its run. Throws UsageError for values of another form or out of range.
-    PictureRequest request(const RunDescription& description) const;
+    PictureRequest request(const RunDescription& description, std::size_t particles = 0) const;
     /// The file or files, for pictures of this size. Throws UsageError.
     FilmFormat format(render::PictureSize size) const;
     /// Simulated time from one picture to the next, > 0. Throws UsageError.

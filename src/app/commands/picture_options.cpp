@@ -51,11 +51,9 @@ void check_room(std::string_view option, render::PictureSize least, const Pictur
     throw UsageError(fmt::format("{} needs a picture of at least {}x{} pixels (--size)", option, width, height));
 }
 
-render::PictureSize least_with_plots(const PictureRequest& request) {
-    constexpr int caption = 60;  // its usual height, and more
-    return {static_cast<int>(ui::narrowest_plot),
-            static_cast<int>(ui::lowest_with_plots) + (request.caption ? caption : 0)};
-}
+/// Without a caption.
+constexpr render::PictureSize least_with_plots{static_cast<int>(ui::narrowest_plot),
+                                               static_cast<int>(ui::lowest_with_plots)};
 
 }  // namespace
 
@@ -65,7 +63,7 @@ void PictureOptions::declare(CLI::App& app) {
                 fmt::format("Width and height in pixels, up to {} each (default {})", longest_side, size_), group);
     appearance_.declare(
         app, {.group = group,
-              .particle = "Mark this particle",
+              .particle = "Mark these particles, the first one first; plots show up to eight",
               .panel = "Draw the window's panels too (default off)",
               .scale = "Scale of text, lines and panels, 0.5 to 8 (default: 1, more in pictures beyond 1280x720)"});
     shown_.declare(
@@ -75,19 +73,19 @@ void PictureOptions::declare(CLI::App& app) {
                 fmt::format("OpenGL context (default {}: the first that works)", gl_), group);
 }
 
-PictureRequest PictureOptions::request(const RunDescription& description) const {
+PictureRequest PictureOptions::request(const RunDescription& description, std::size_t particles) const {
     PictureRequest request;
     request.size = parse_size(size_);
     const std::string view = appearance_.view(description);
     if (!view.empty()) request.camera = view;
     request.panel = appearance_.panel().value_or(false);
-    request.style = appearance_.style(description);
+    request.style = appearance_.style(description, particles);
     request.style.pixel_scale = appearance_.scale().value_or(usual_scale(request.size));
     if (auto plots = shown_.plots()) request.plots = std::move(*plots);
     if (shown_.plots() && !request.panel) throw UsageError("--plots is for pictures with --ui on");
     request.caption = shown_.caption();
     if (request.panel) check_room("--ui on", least_with_panel, request);
-    if (!request.plots.empty()) check_room("--plots", least_with_plots(request), request);
+    if (!request.plots.empty()) check_room("--plots", least_with_plots, request);
     return request;
 }
 

@@ -21,7 +21,7 @@ class PictureOptions {
 public:
     void declare(CLI::App& app);
     /// The picture to draw, without its run. Throws UsageError for values of another form or out of range.
-    PictureRequest request(const RunDescription& description) const;
+    PictureRequest request(const RunDescription& description, std::size_t particles = 0) const;
 
     const std::string& gl() const { return gl_; }
     const std::string& size_text() const { return size_; }

@@ -30,7 +30,9 @@ public:
 
     /// Why the file has no more frames, where this end lies behind its last one; empty if it is whole. Throws
     /// FileError.
-    std::string fault_before(const RunEnd& end) { return playback_.ends_before(end) ? playback_.fault() : ""; }
+    std::string fault_before(const RunEnd& end) { return ends_before(end) ? playback_.fault() : ""; }
+    /// True if the file ends earlier.
+    bool ends_before(const RunEnd& end) const { return playback_.ends_before(end); }
 
     /// The picture of the moment.
     const PictureRequest& request() const { return request_; }

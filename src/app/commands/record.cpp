@@ -89,7 +89,7 @@ private:
         if (scene_.any_given() || ensemble_.is_given() || runs_.are_given()) refuse_scene_beside(trajectory_);
         catch_interruptions();
         const PlayedStart start = played_start(trajectory_);
-        PictureRequest request = film_.request(start.run);
+        PictureRequest request = film_.request(start.run, start.particles);
         check_column(request.style, start.columns);
         const FilmFormat format = film_.format(request.size);
         Offscreen offscreen(film_.gl());

@@ -76,7 +76,7 @@ private:
         catch_interruptions();
         const PlayedStart start = played_start(trajectory_);
         const RunEnd end = time_.moment(start.run);
-        PictureRequest request = picture_.request(start.run);
+        PictureRequest request = picture_.request(start.run, start.particles);
         check_column(request.style, start.columns);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
@@ -86,6 +86,8 @@ private:
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
         if (!written_directly(picture_.out())) print_result(frames.request().view, offscreen.kind());
+        if (frames.ends_before(end))
+            print_note("steplab snapshot", fmt::format("the file ends at step {}", frames.request().view.frame.step));
         if (const std::string fault = frames.fault_before(end); !fault.empty())
             throw FileError(fmt::format("'{}': {}; the picture is of step {}, before that", shown(trajectory_), fault,
                                         frames.request().view.frame.step));

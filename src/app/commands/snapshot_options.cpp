@@ -24,9 +24,9 @@ void SnapshotOptions::declare(CLI::App& app) {
     picture_.declare(app);
 }
 
-PictureRequest SnapshotOptions::request(const RunDescription& description) const {
+PictureRequest SnapshotOptions::request(const RunDescription& description, std::size_t particles) const {
     check_file(out_);
-    return picture_.request(description);
+    return picture_.request(description, particles);
 }
 
 }  // namespace steplab

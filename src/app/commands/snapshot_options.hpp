@@ -11,7 +11,7 @@ class SnapshotOptions {
 public:
     void declare(CLI::App& app);
     /// The picture to draw, without its run. Throws UsageError for values of another form or out of range.
-    PictureRequest request(const RunDescription& description) const;
+    PictureRequest request(const RunDescription& description, std::size_t particles = 0) const;
 
     const std::string& out() const { return out_; }
     const std::string& gl() const { return picture_.gl(); }

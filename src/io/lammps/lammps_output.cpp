@@ -111,7 +111,7 @@ std::string LammpsOutput::message() const {
     std::string last, error;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("ERROR") && error.empty()) error = line;
-        if (!line.empty()) last = line;
+        if (line.find_first_not_of("-=* \t\r") != std::string::npos) last = line;  // not a rule across the page
     }
     const std::string said = error.empty() ? last : error;
     if (said.empty()) return "it printed nothing";

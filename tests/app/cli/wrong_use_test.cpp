@@ -89,7 +89,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--set", "m=1e308", "--precision", "float"}, {"m", "float"}},
     {{"run", "--dt", "0"}, {"--dt", "a number > 0"}},
     {{"limits", "--dt", "-0.1"}, {"--dt", "-0.1", "a number > 0"}},
-    {{"run", "--method", "dopri5", "--dt", "-0.1"}, {"dopri5", "dt must be > 0", "--reverse"}},
+    {{"run", "--method", "dopri5", "--dt", "-0.1"}, {"dopri5", "dt must be > 0", "reverse the velocities"}},
     {{"run", "--dt", "-0.1", "--until", "1"}, {"--until 1", "dt = -0.1", "differ in sign"}},
     {{"run", "--dt", "nan"}, {"--dt", "nan"}},
     {{"run", "--dt", "inf"}, {"--dt", "inf"}},

@@ -6,6 +6,7 @@
 #include "io/files.hpp"
 #include "support/runs.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sched.h>
 #include <string>
 #include <sys/stat.h>
 #include <vector>
@@ -136,10 +139,17 @@ TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
     EXPECT_THAT(no_mpi.err, HasSubstr("openmpi-bin"));
 }
 
-// A program in LAMMPS' place that never ends by itself, and says when it runs.
+/// Of a process that has ended it may not have been asked yet how.
+bool is_alive(int process) {
+    std::string name, state;
+    std::ifstream(fmt::format("/proc/{}/stat", process)) >> name >> name >> state;
+    return !state.empty() && state != "Z";
+}
+
+// A program in LAMMPS' place that never ends by itself, and says what it has started.
 TEST(Cluster, that_is_interrupted_ends_lammps_and_keeps_the_files) {
     const TemporaryFolder folder;
-    put_program(folder, "lmp", "echo $$ >\"$STARTED\"\nexec sleep 1000\n");
+    put_program(folder, "lmp", "sleep 1000 &\necho $! >\"$STARTED\"\nwait\n");
     const Surroundings here{
         .folder = folder.path(),
         .environment = {"PATH=" + folder.path() + ":" + std::getenv("PATH"), "STARTED=" + folder.file("started")}};
@@ -150,7 +160,7 @@ TEST(Cluster, that_is_interrupted_ends_lammps_and_keeps_the_files) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.code, 128 + SIGINT);
     EXPECT_THAT(outcome.err, HasSubstr("are kept in 'kept'"));
-    EXPECT_NE(kill(lammps, 0), 0) << "it has ended";
+    while (is_alive(lammps)) sched_yield();  // the signal is on its way
 }
 
 TEST(Cluster, writes_a_batch_file) {
@@ -196,6 +206,35 @@ TEST(Cluster, collects_the_results_of_a_batch_job) {
     const Outcome cut = call(collect);
     EXPECT_EQ(cut.code, 4);
     EXPECT_THAT(cut.err, HasSubstr("has not gone all steps (step 50 of 50)"));
+}
+
+// A full disk or a job that was killed leaves such files.
+TEST(Cluster, does_not_take_what_lacks_steps_for_a_whole_run) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    const std::vector<std::string> every{"cluster", "--every", "20"};
+    const auto call = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = every;
+        words.insert(words.end(), more.begin(), more.end());
+        return steplab(words, small_mesh, here);
+    };
+    ASSERT_EQ(call({"--ranks", "1", "--files", "job"}).code, 0);
+    const std::string dump = text_of(folder.file("job/trajectory.dump"));
+    const std::string one = dump.substr(0, dump.find("ITEM: TIME", dump.find("ITEM: ATOMS")));
+    for (const std::string& wrong : {one, one + one, dump + dump, std::string()}) {
+        put_text(folder.file("job/trajectory.dump"), wrong);
+        const Outcome outcome = call({"--collect", "job", "--out", "a.csv"});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_THAT(outcome.err, HasSubstr("dump of LAMMPS"));
+        EXPECT_FALSE(std::filesystem::exists(folder.file("a.csv")));
+    }
+    put_program(folder, "early", "lmp \"$@\" -var steps 10\nexit 0\n");
+    const Outcome early = steplab({"cluster", "--ranks", "1", "--out", "b.csv"}, small_mesh,
+                                  {.folder = folder.path(), .environment = {"LAMMPS=" + folder.file("early")}});
+    EXPECT_EQ(early.code, 4);
+    EXPECT_THAT(early.err, HasSubstr("LAMMPS has not gone all steps (step 10 of 50)"));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("b.csv")));
+    EXPECT_EQ(call({"--ranks", "101"}).code, 2) << "more than particles";
 }
 
 // Else they would be collected as those of the new scene.

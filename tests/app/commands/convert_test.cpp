@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <filesystem>
 
 namespace steplab {
 namespace {
@@ -45,6 +46,50 @@ TEST_F(Convert, writes_the_frames_of_a_truncated_file_and_reports_it) {
     EXPECT_EQ(outcome.code, 3);
     EXPECT_THAT(outcome.err, HasSubstr("truncated or damaged after its first 41 frames"));
     EXPECT_EQ(text_of(file), text_of(run_to("csv")));
+}
+
+TEST_F(Convert, of_a_trajectory_with_a_damaged_chunk_writes_the_frames_before_it) {
+    const std::string whole = folder_.file("whole.trajectory"), damaged = folder_.file("damaged.trajectory");
+    ASSERT_EQ(
+        run_program({"run", "--model", "chain", "--set", "n=1000", "--steps", "200", "--every", "2", "--out", whole})
+            .code,
+        0);
+    std::string bytes = text_of(whole);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    put_text(damaged, bytes);
+    for (const std::string to : {"csv", "xyz", "dump", "trajectory"}) {
+        SCOPED_TRACE(to);
+        const std::string all = folder_.file("all." + to), part = folder_.file("part." + to);
+        ASSERT_EQ(run_program({"convert", whole, "--out", all}).code, 0);
+        const Outcome outcome = run_program({"convert", damaged, "--out", part});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_THAT(outcome.err, HasSubstr(" frames before it were written"));
+        const std::string written = text_of(part);
+        EXPECT_GT(written.size(), text_of(all).size() / 3);
+        if (to != "trajectory") {
+            EXPECT_EQ(written, text_of(all).substr(0, written.size()));
+        }
+    }
+}
+
+TEST_F(Convert, takes_the_options_of_a_scene_only_where_they_say_something) {
+    const std::string trajectory = folder_.file("a.trajectory"), text = folder_.file("a.csv");
+    for (const std::string& out : {trajectory, text})
+        ASSERT_EQ(run_program({"run", "--model", "chain", "--steps", "5", "--every", "1", "--out", out}).code, 0);
+    const auto message = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.code, 2);
+        return outcome.err;
+    };
+    const std::string out = folder_.file("b.trajectory");
+    EXPECT_THAT(message({"convert", trajectory, "--model", "mesh", "--out", out}), HasSubstr("leave them out"));
+    EXPECT_THAT(message({"convert", text, "--model", "chain", "--out", folder_.file("b.xyz")}),
+                HasSubstr("leave them out"));
+    EXPECT_THAT(message({"convert", text, "--model", "chain", "--out", folder_.file("b.dump")}),
+                HasSubstr("leave them out"));
+    EXPECT_THAT(message({"convert", text, "--model", "chain", "--dt", "0.2", "--out", out}),
+                HasSubstr("is it another dt?"));
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST_F(Convert, of_a_text_whose_scene_is_named_gives_the_trajectory_of_its_run) {
