@@ -201,7 +201,7 @@ std::string points_of(const Plot& plot) {
 
 }  // namespace
 
-Line line_of_run(std::size_t swatch) { return static_cast<Line>(std::min<std::size_t>(swatch, 3)); }
+Line line_of_run(std::size_t swatch) { return static_cast<Line>(std::min(swatch, lines_of_runs - 1)); }
 
 std::span<const float> dashes_of(Line line) {
     static constexpr std::array dashed{4.0f, 2.5f}, dotted{1.2f, 1.8f};

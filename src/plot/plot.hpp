@@ -14,6 +14,8 @@ namespace steplab::plot {
 
 /// How a curve is drawn between its points; none: not at all.
 enum class Line { solid, dashed, dotted, dash_dotted, none };
+/// How many lines, and colours of the window, there are for runs.
+inline constexpr std::size_t lines_of_runs = 4;
 /// The line of a run of the session, so that runs are told apart without colours too.
 Line line_of_run(std::size_t swatch);
 constexpr Line dashed_if(bool dashed) { return dashed ? Line::dashed : Line::solid; }
@@ -32,7 +34,8 @@ struct Curve {
     /// Colours that have a meaning, besides those of runs, which are numbers from 0. Quiet: behind the others.
     static constexpr std::size_t exact = 100, quiet = 101;
 
-    std::string name = {};  ///< in the legend and in the header of the CSV file
+    std::string name = {};   ///< in the legend and in the header of the CSV file
+    std::string label = {};  ///< in the legend; empty: the name
     std::size_t colour = 0;
     Line line = Line::solid;
     Marks marks = Marks::if_few;
@@ -42,6 +45,7 @@ struct Curve {
     std::vector<double> x = {};
     std::vector<double> y = {};  ///< values that are not finite are gaps
 
+    const std::string& legend() const { return label.empty() ? name : label; }
     void add(double across, double up);
     /// `few`: there are few enough points to be told apart.
     bool has_marks(bool few) const;

@@ -20,7 +20,7 @@ namespace steplab {
 namespace {
 
 constexpr std::uint64_t largest_lesson = std::uint64_t{1} << 20;
-constexpr std::size_t most_plots = 4, most_terms = 12;
+constexpr std::size_t most_terms = 12;
 
 /// Text on several lines of a file is one paragraph; an empty line ends it.
 std::string paragraphs(const std::string& text) {
@@ -134,7 +134,7 @@ LessonPage page_of(const toml::table& table, const Recording& session, std::size
          {"to", [&](const toml::node& node) { page.to = end_of_part(node, session, from); }},
          {"plots",
           [&](const toml::node& node) {
-              page.plots = words_of(node, "plot", most_plots, {lesson_plots.begin(), lesson_plots.end()});
+              page.plots = words_of(node, "plot", lesson_plots.size(), {lesson_plots.begin(), lesson_plots.end()});
           }},
          {"terms", [&](const toml::node& node) { page.terms = words_of(node, "term", most_terms, ids_of(terms())); }},
          {"speed",

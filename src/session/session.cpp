@@ -52,11 +52,12 @@ struct Session::Handle {
 };
 
 void Session::handle(const Event& event) {
+    const TrackedParticles before = tracked();
     recording_&& is_recorded(event) ? handle_and_record(event) : std::visit(Handle{*this}, event);
     line_.sample(with_samples_, tracked());  // also of a run that began
     for (FollowerRun& each : followers_) each.line().sample_as(line_);
     sample_spread();
-    look_for_lacking(event);
+    if (!is_any<event::AlsoTrack>(event) || tracked() != before) look_for_lacking(event);
 }
 
 /// After what can have changed which samples are lacking.

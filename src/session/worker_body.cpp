@@ -110,8 +110,10 @@ bool Worker::Body::handle_events() {
     }
     errors_alone = came && taken.empty() && !under_way();
     if (taken.empty()) return errors_alone;
-    error.clear();
-    doubtful = false;  // of what was before
+    if (!std::all_of(taken.begin(), taken.end(), is_any<event::AlsoTrack>)) {
+        error.clear();
+        doubtful = false;  // of what was before
+    }
     for (const Event& event : taken) went_well([&] { handle(event); });
     return true;
 }
@@ -120,9 +122,10 @@ void Worker::Body::handle(const Event& event) {
     for (Event& each : kept_events) {
         if (each.index() == event.index()) each = event;
     }
+    const bool looks_on = is_any<event::AlsoTrack>(event);  // nothing is done by a person
     if (playback) {
         playback->handle(event);
-        frames_since = {Clock::now(), playback->elapsed()};
+        if (!looks_on) frames_since = {Clock::now(), playback->elapsed()};
         return;
     }
     if (session->playing() && !session->plays_backwards() && session->run().divergence())
@@ -134,7 +137,7 @@ void Worker::Body::handle(const Event& event) {
     } else if (changes_runs(event)) {
         forget_film();
     }
-    note_pause();
+    if (!looks_on) note_pause();
     session->handle(event);
     if (is_any<event::Track, event::AlsoTrack, event::ShowForces, event::Magnify, event::ShowSamples, event::ShowCosts,
                event::Bookmark>(event))

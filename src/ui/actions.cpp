@@ -266,7 +266,9 @@ bool goes_to_widgets(const Context& context, Key key) {
     if (!context.state.steering) return false;
     const bool moves_axes = key == Key::equal || key == Key::minus || key == Key::bracket_left ||
                             key == Key::bracket_right || key == Key::home;
-    if (moves_axes && is_steered(context, "plots")) return true;
+    const std::string& focused = context.state.focused;
+    const bool of_a_plot = focused != "plots.add" && !focused.ends_with(".tab");
+    if (moves_axes && of_a_plot && is_steered(context, "plots")) return true;
     return key == Key::space || key == Key::left || key == Key::right;
 }
 

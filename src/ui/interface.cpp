@@ -192,7 +192,8 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     if (caption) above.height -= caption_height(view, *caption);
     body.layout = purpose == Purpose::scene_still
                       ? arrange_scene_alone(above)
-                      : arrange(above, body.state.panel, body.state.sizes, body.state.lessons.open.has_value());
+                      : arrange(above, body.state.panel, body.state.sizes, body.state.lessons.open.has_value(),
+                                body.state.plots.shown.size());
     if (body.state.tab == PanelTab::plot) put_plots_into_panel(body.layout);
     const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);
     const Context context{body.theme,   body.layout, above,  view,  has_picture ? *stage.pictured : view,
@@ -200,7 +201,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
                           body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
-        if (is_new) body.state.selection.follow(view.leading, events);
+        body.state.selection.follow(view.leading, is_new, events);
         body.follower.follow(context);
         leave_to_pointer(context);
         perform_pressed_keys(context);
@@ -237,6 +238,8 @@ bool Interface::is_dragging() const {
     const bool held = ImGui::IsAnyItemActive() || body_->state.hands.pulled;
     return held && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
 }
+
+bool Interface::shows_plots() const { return !body_->layout.plots.empty(); }
 
 PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
 

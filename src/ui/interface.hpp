@@ -53,6 +53,8 @@ public:
     /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual. `scenes`:
     /// the page of scenes is open.
     void open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes = false);
+    /// True if the last frame had room for plots.
+    bool shows_plots() const;
     /// The particles that are selected besides that one.
     void select_too(const ParticleList& others);
     /// What a person chose before, but for what the style says; `remembered`: with which the next window opens.

@@ -64,14 +64,26 @@ void Selection::take(std::span<const std::size_t> particles, bool added, const R
     events.send(event::Track{first});
 }
 
-void Selection::follow(const RunView& view, EventSink& events) const {
+std::size_t Selection::count(const RunView& view) const {
+    const std::size_t* const end = std::lower_bound(others_.begin(), others_.end(), view.frame.positions.size());
+    const auto others = static_cast<std::size_t>(end - others_.begin());
+    if (!view.tracked) return others;
+    return others + (std::binary_search(others_.begin(), end, view.tracked->particle) ? 0 : 1);
+}
+
+void Selection::follow(const RunView& view, bool is_new, EventSink& events) {
     if (!view.tracked) return;
-    TrackedParticles wanted = tracked_particles(view.tracked->particle, all(view));
-    wanted.erase(wanted.begin());
+    TrackedParticles wanted;
+    for (const std::size_t* other = others_.begin(); other != others_.end(); ++other) {
+        if (wanted.size() + 1 == Sample::most_particles || *other >= view.frame.positions.size()) break;
+        if (!is_first(*other, view)) wanted.push_back(*other);
+    }
     const auto is_it = [](const Tracked& one, std::size_t particle) { return one.particle == particle; };
     const auto& known = view.also_tracked;
-    if (!std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), is_it))
-        events.send(event::AlsoTrack{std::move(wanted)});
+    const bool agrees = std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), is_it);
+    const bool was_asked = asked_ == wanted;
+    if (!agrees && (is_new || !was_asked)) events.send(event::AlsoTrack{wanted});
+    asked_ = std::move(wanted);
 }
 
 double mass_of(const RunView& view, std::size_t particle) {

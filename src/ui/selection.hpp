@@ -28,13 +28,17 @@ public:
     void toggle(std::size_t particle, const RunView& view, EventSink& events);
     /// These in place of those before, or, if `added`, besides. The first one stays it where it is among them.
     void take(std::span<const std::size_t> particles, bool added, const RunView& view, EventSink& events);
-    /// Has the samples tell of the others, too (event::AlsoTrack), if those of the view do not.
-    void follow(const RunView& view, EventSink& events) const;
+    /// How many are selected.
+    std::size_t count(const RunView& view) const;
+    /// Has the samples tell of the others, too (event::AlsoTrack), if those of the view do not. To be called in every
+    /// frame; `is_new`: the view has come since the last one.
+    void follow(const RunView& view, bool is_new, EventSink& events);
     /// None but the first one.
     void clear() { others_ = {}; }
 
 private:
     ParticleList others_;
+    TrackedParticles asked_;  ///< of samples
 };
 
 /// The mass of a particle in kg; 0 where it is not known.

@@ -7,6 +7,7 @@
 
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steplab::ui {
@@ -36,9 +37,9 @@ TEST(usual_mass, is_none_where_the_scene_has_several) {
 }
 
 /// What is asked for when this view comes.
-std::vector<std::string> asked(const Selection& selection, const RunView& view) {
+std::vector<std::string> asked(Selection selection, const RunView& view) {
     Recorder recorder;
-    selection.follow(view, recorder);
+    selection.follow(view, true, recorder);
     return recorder.calls;
 }
 
@@ -52,6 +53,26 @@ TEST(Selection, has_samples_tell_of_others_until_they_do) {
     EXPECT_THAT(asked(Selection(), view_of(chain, TrackedParticles{5, 2, 7})), ElementsAre("also track"));
     EXPECT_THAT(asked(Selection(), view_of(chain, 5)), IsEmpty());
     EXPECT_THAT(asked(selection, view_of(chain)), IsEmpty()) << "nothing is tracked yet";
+}
+
+// A run that stands still sends no new view.
+TEST(Selection, is_told_at_once_and_again_only_when_a_new_view_does_not_know_it) {
+    const RunView view = view_of(Simulation(describe("chain")), 5);
+    Recorder recorder;
+    const auto told = [&](Selection& selection, bool is_new) {
+        selection.follow(view, is_new, recorder);
+        return std::exchange(recorder.calls, {});
+    };
+    Selection selection;
+    EXPECT_THAT(told(selection, true), IsEmpty());
+    selection.toggle(2, view, recorder);
+    EXPECT_THAT(told(selection, false), ElementsAre("also track 2"));
+    EXPECT_THAT(told(selection, false), IsEmpty()) << "it is on its way";
+    EXPECT_THAT(told(selection, true), ElementsAre("also track 2"));
+    selection.toggle(2, view, recorder);
+    EXPECT_THAT(told(selection, false), IsEmpty()) << "the view has none";
+    EXPECT_EQ(selection.count(view), 1u);
+    EXPECT_EQ(Selection(ParticleList({5, 7, 900})).count(view), 2u);
 }
 
 TEST(Selection, of_many_particles_asks_for_as_many_as_samples_tell_of) {

@@ -38,8 +38,7 @@ std::vector<ui::PlotKind> parse_plots(std::string_view text) {
 
 void PictureContentOptions::declare(CLI::App& app, const Help& help) {
     text_option(app, "--plots", plots_, "KIND,...",
-                help.plots + ", one to four: energy-error, phase-portrait ... (default energy-error,displacement)",
-                help.group);
+                help.plots + ": energy-error, phase-portrait ... (default energy-error,displacement)", help.group);
     optional_text_option(app, "--caption", caption_, "[TEXT]", automatic_caption,
                          help.caption + " (default auto: scene, method, dt and time of each run)", help.group);
 }

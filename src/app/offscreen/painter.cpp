@@ -52,6 +52,8 @@ public:
         add_errors(request.view.frame.step, request.errors);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
+        if (request.panel && !request.plots.empty() && !interface_.shows_plots())
+            throw UsageError("--plots: the caption leaves no room for plots; choose a higher picture (--size)");
         camera_ = render::camera_of(request.camera, view_.leading.frame,
                                     render::leading_size(scene_size(), style_.layout, 1 + view_.followers.size()));
         draw();

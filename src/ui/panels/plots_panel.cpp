@@ -56,12 +56,13 @@ void draw_pointed_cost(const Context& context, const CostPoint& point, PlotKind 
 void steer_costs(const Context& context, PlotKind kind, const plot::Layout& layout) {
     if (!context.session.costs || !is_steered(context, "plots")) return;
     const float radius = context.px(5);
-    for (const CostPoint& point : context.session.costs->points) {
+    const std::vector<CostPoint>& costs = context.session.costs->points;
+    for (const CostPoint& point : costs) {
         const float x = layout.axes.across.pixel(point.*cost_of(kind)), y = layout.axes.up.pixel(point.error);
         if (!layout.frame.contains(x, y)) continue;
         const std::string widget =
             std::string(info_of(kind).id) + ".point/" + run_name(run_of(point, context), context.view.description);
-        const WithId id(widget);
+        const WithId id(widget + std::to_string(&point - costs.data()));  // names may be the same
         ImGui::SetCursorScreenPos({x - radius, y - radius});
         if (ImGui::InvisibleButton("point", {2 * radius, 2 * radius}))
             context.events.send(event::AddRun{run_of(point, context)});
@@ -215,7 +216,8 @@ void draw_header(const Context& context, const plot::Plot& plot, const Slot& slo
     const float y = area.y + context.px(0.5f * header + 3);
     if (context.is_saved()) {
         const WithFont font(context.theme.fonts().heading);
-        return text_left(area.x + context.px(14), y, plot.title, colour::text);
+        const std::string title = shortened(plot.title, area.width - context.px(28));
+        return text_left(area.x + context.px(14), y, title, colour::text);
     }
     ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
     draw_kind(context, slot);

@@ -53,7 +53,9 @@ void History::follow(const RunView& view) {
     if (particle != particle_ || sampled) reach_ = {};
     if (particle != particle_) particle_ = particle;
     for (const Sample& sample : samples) {
-        if (sampled && sample.particle()) reach_to(sample.particle()->displacement);
+        for (std::size_t place = 0; sampled && place < sample.particles.size(); ++place) {
+            if (sample.particle(place)) reach_to(sample.particle(place)->displacement);
+        }
     }
     if (view.tracked && !sampled) reach_to(view.tracked->displacement);
     if (particle && reach_ == Vec3{} && *particle < view.frame.velocities.size())

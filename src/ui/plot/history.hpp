@@ -15,7 +15,7 @@ public:
     /// Records a view of the leading run. A new run clears all; a step back what is no longer valid.
     void record(const RunView& view);
 
-    /// The axis of the followed particle's largest displacement: 0 x, 1 y, 2 z.
+    /// The axis of the largest displacement of a tracked particle: 0 x, 1 y, 2 z.
     int direction() const { return direction_; }
     /// Largest displacement and position error of all particles in the run so far, 0 if none is known: in the samples
     /// of the run where it has some, which do not depend on how fast it is played, else in the views.

@@ -54,7 +54,7 @@ std::vector<LegendPlace> legend_places(const Plot& plot, const Size& size, float
         left += width + size.between;
     };
     for (const Curve& curve : plot.curves) {
-        if (curve.in_legend) add(curve.name, &curve, nullptr);
+        if (curve.in_legend) add(curve.legend(), &curve, nullptr);
     }
     for (const plot::Band& band : plot.bands) add(band.name, nullptr, &band);
     return places;

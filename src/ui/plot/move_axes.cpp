@@ -71,8 +71,8 @@ void move_axes(const Context& context, const plot::Plot& plot, const plot::Layou
     };
     const auto& [across, up] = layout.axes;
     std::optional<Range>& shown_across = plot.x.name == "time" ? context.state.plots.window : choice.across;
-    if (steered && io.KeyShift) return move_axis(up, gesture_of_keys(up), choice.up);
-    if (steered) return move_axis(across, gesture_of_keys(across), shown_across);
+    if (steered && io.KeyShift) move_axis(up, gesture_of_keys(up), choice.up);
+    if (steered && !io.KeyShift) move_axis(across, gesture_of_keys(across), shown_across);
     move_axis(across, gesture(layout.frame, io.MousePos.x, io.MouseDelta.x), shown_across);
     move_axis(up, gesture(labels, io.MousePos.y, io.MouseDelta.y), choice.up);
     if (over(labels) || held(labels)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);

@@ -19,7 +19,11 @@ using plot::Plot;
 
 constexpr std::string_view axis_names[] = {"x", "y", "z"};
 
-std::size_t tracked_count(const Context& context) { return 1 + context.view.also_tracked.size(); }
+/// How many are shown: beside other runs as many as there are lines.
+std::size_t tracked_count(const Context& context) {
+    const std::size_t all = 1 + context.view.also_tracked.size();
+    return context.session.followers.empty() ? all : std::min(all, plot::lines_of_runs);
+}
 
 /// The particle in a place of the samples.
 const Tracked& tracked_in(const Context& context, std::size_t place) {
@@ -32,11 +36,14 @@ std::string particle_name(const Context& context, std::size_t place) {
 
 /// "particles 3, 7", or how many of those that are selected.
 std::string particles_text(const Context& context) {
-    const std::size_t count = tracked_count(context), selected = context.state.selection.all(context.view).size();
+    constexpr std::size_t most_named = 4;
+    const std::size_t count = tracked_count(context), selected = context.state.selection.count(context.view);
     if (count < selected) return fmt::format("{} of {} particles", count, selected);
+    if (count > most_named) return fmt::format("{} particles", count);
     std::string text = particle_name(context, 0);
     if (count > 1) text.insert(text.find(' '), "s");
-    for (const Tracked& other : context.view.also_tracked) text += fmt::format(", {}", other.particle);
+    for (std::size_t place = 1; place < count; ++place)
+        text += fmt::format(", {}", tracked_in(context, place).particle);
     return text;
 }
 
@@ -49,16 +56,25 @@ bool begin_particle_plot(Plot& plot, const Context& context, std::string_view wh
     return true;
 }
 
-/// What a particle does in a run, without points. Particles are told apart by colours; beside other runs,
-/// which have them, by lines.
+/// What a particle does in a run, without points. In one run particles are told apart by colours, and lines where these
+/// are used up. Beside other runs the colour is that of the run and the line that of the particle, and the legend has
+/// each of them once.
 Curve curve_of(const Context& context, std::size_t run, std::size_t place) {
     const std::size_t swatch = context.run(run).swatch;
     Curve curve{.name = name_of_run(context, run), .colour = swatch, .line = plot::line_of_run(swatch)};
     if (tracked_count(context) == 1) return curve;
-    const bool one_run = context.session.followers.empty();
-    curve.name = one_run ? particle_name(context, place) : curve.name + ", " + particle_name(context, place);
-    if (one_run) curve.colour += place;
-    curve.line = one_run ? plot::Line::solid : plot::line_of_run(place);
+    const std::string particle = particle_name(context, place);
+    if (context.session.followers.empty()) {
+        curve.name = particle;
+        curve.colour = (swatch + place) % plot::lines_of_runs;
+        curve.line = plot::dashed_if(place >= plot::lines_of_runs);
+        return curve;
+    }
+    curve.label = run > 0 ? curve.name : particle;
+    curve.name += ", " + particle;
+    if (run == 0 && place == 0) curve.label = curve.name;
+    curve.in_legend = run == 0 || place == 0;
+    curve.line = plot::line_of_run(place);
     return curve;
 }
 

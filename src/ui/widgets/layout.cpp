@@ -13,6 +13,7 @@ constexpr float lesson_width = 310;
 constexpr float narrowest_with_panel = 620;
 constexpr float lowest_without_tabs = 600;
 constexpr float tabs_height = 34;
+constexpr float lowest_with_tabs = 176;  // of plots
 constexpr float time_line_height = 34;
 constexpr float lowest_with_time_line = 240;
 constexpr float run_buttons_width = 360;
@@ -34,7 +35,8 @@ void take_tabs(Layout& layout, float height) {
 
 }  // namespace
 
-Layout arrange(const Display& display, std::optional<bool> panel, const PanelSizes& sizes, bool lesson) {
+Layout arrange(const Display& display, std::optional<bool> panel, const PanelSizes& sizes, bool lesson,
+               std::size_t chosen_plots) {
     const float scale = display.scale;
     const float width = static_cast<float>(display.width);
     const float height = static_cast<float>(display.height);
@@ -56,7 +58,8 @@ Layout arrange(const Display& display, std::optional<bool> panel, const PanelSiz
     layout.scene = {layout.panel.width, layout.bar.height, std::max(1.0f, width - beside - layout.panel.width), below};
     const int room = static_cast<int>(layout.scene.width / px(narrowest_plot));
     if (panel.value_or(true) && height >= px(lowest_with_plots) && room >= 1) {
-        const float plots = px(plots_height(height / scale, sizes.plots_height));
+        const bool tabs = chosen_plots > static_cast<std::size_t>(std::min(room, 4));
+        const float plots = px(std::max(plots_height(height / scale, sizes.plots_height), tabs ? lowest_with_tabs : 0));
         layout.plots = {layout.scene.x, height - plots, layout.scene.width, plots};
         layout.plot_count = std::min(room, 4);
         layout.scene.height -= plots;

@@ -40,9 +40,9 @@ struct Layout {
 
 /// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
 /// none: the panel is shown where the window is wide enough. `lesson`: a lesson is open, beside everything below the
-/// bar.
+/// bar. `plots`: how many are chosen; where not all have room, their tabs have some.
 Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, const PanelSizes& sizes = {},
-               bool lesson = false);
+               bool lesson = false, std::size_t plots = 1);
 
 /// In place of the sections of a panel with tabs: a plot, where the window has no other room for plots.
 void put_plots_into_panel(Layout& layout);

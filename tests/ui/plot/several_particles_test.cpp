@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -83,6 +85,33 @@ TEST(plots_of_several_particles, beside_other_runs_have_a_curve_of_each_in_each_
     EXPECT_THAT(header_of(recorded.desk, "displacement"),
                 ContainsRegex("rk4[^\"]*, particle 5.*rk4[^\"]*, particle 2"
                               ".*verlet[^\"]*, particle 5.*verlet[^\"]*, particle 2.*exact"));
+}
+
+/// Colour and line of each curve of the legend of a drawing.
+std::set<std::string> looks_of(const std::string& svg) {
+    std::set<std::string> looks;
+    const std::regex curve(
+        "<g class=\"curve\"[^>]*stroke=\"([^\"]*)\"[^>]*><title>particle [^<]*</title>"
+        "<polyline[^>]*?(stroke-dasharray=\"[^\"]*\")?[^>]*>");
+    for (std::sregex_iterator match(svg.begin(), svg.end(), curve); match != std::sregex_iterator(); ++match)
+        looks.insert((*match)[1].str() + (match->str().find("dasharray") != std::string::npos ? " dashed" : " solid"));
+    return looks;
+}
+
+TEST(plots_of_several_particles, tell_all_of_them_apart) {
+    const OwnFolder folder;
+    Recorded recorded(swinging_chain(), 3, {9, 1, 2, 3, 4, 5, 6, 7});
+    recorded.desk.click("displacement.save");
+    recorded.desk.click("displacement.svg");
+    EXPECT_EQ(looks_of(text_of_file("steplab-displacement-1.svg")).size(), Sample::most_particles);
+}
+
+TEST(plots_of_several_particles, are_along_the_axis_in_which_one_of_them_moves) {
+    const OwnFolder folder;
+    Recorded recorded(swinging_chain(), 20, {0, 9});  // the first one is fixed
+    recorded.desk.click("displacement.save");
+    recorded.desk.click("displacement.svg");
+    EXPECT_THAT(text_of_file("steplab-displacement-1.svg"), HasSubstr("displacement x of particles 0, 9"));
 }
 
 TEST(plots_of_several_particles, say_how_many_of_those_selected_they_show) {
