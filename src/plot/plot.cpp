@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace steplab::plot {
@@ -200,6 +201,15 @@ std::string points_of(const Plot& plot) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> drawing_order(const Plot& plot) {
+    std::vector<std::size_t> order(plot.curves.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto is_exact = [&](std::size_t curve) { return plot.curves[curve].colour == Curve::exact; };
+    if (std::count_if(order.begin(), order.end(), is_exact) > 1)
+        std::stable_partition(order.begin(), order.end(), is_exact);
+    return order;
+}
 
 Line line_of_run(std::size_t swatch) { return static_cast<Line>(std::min(swatch, lines_of_runs - 1)); }
 

@@ -93,6 +93,10 @@ struct Plot {
     std::string empty = {};          ///< shown if there is nothing to draw
 };
 
+/// The numbers of the curves of a plot as one lies over the other. One exact curve lies over all; several, which would
+/// cover the others, under them.
+std::vector<std::size_t> drawing_order(const Plot& plot);
+
 /// A box on a picture, in pixels; y downwards.
 struct Box {
     float x = 0, y = 0, width = 0, height = 0;

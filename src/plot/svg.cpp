@@ -98,7 +98,7 @@ public:
             y += 16;
         };
         for (const Curve& curve : plot_.curves) {
-            if (curve.in_legend) add(curve.name, sample_of(curve, right, y));
+            if (curve.in_legend) add(curve.legend(), sample_of(curve, right, y));
         }
         for (const Band& band : plot_.bands) add(band.name, sample_of(band, right, y));
         return text;
@@ -122,7 +122,7 @@ private:
         };
         std::vector<std::vector<Point>> lines;
         for (const Curve& curve : plot_.curves) {
-            if (curve.in_legend) add(curve.name);
+            if (curve.in_legend) add(curve.legend());
             lines.push_back(decimated(curve.x, curve.y, layout_.axes));
         }
         for (const Band& band : plot_.bands) add(band.name);
@@ -188,7 +188,8 @@ private:
         for (const Band& band : plot_.bands) text += area(band);
         text += moments();
         for (const bool in_front : {false, true}) {
-            for (const Curve& curve : plot_.curves) {
+            for (const std::size_t number : drawing_order(plot_)) {
+                const Curve& curve = plot_.curves[number];
                 if ((curve.colour != Curve::quiet) == in_front) text += path(curve);
             }
         }

@@ -105,6 +105,14 @@ TEST(plot, a_path_keeps_all_that_its_columns_show) {
     EXPECT_NEAR(highest, 0, 0.1f);
 }
 
+TEST(plot, one_exact_curve_lies_over_the_others_and_several_lie_under_them) {
+    Plot plot;
+    plot.curves = {{.name = "a"}, {.name = "exact", .colour = Curve::exact}, {.name = "b"}};
+    EXPECT_EQ(drawing_order(plot), (std::vector<std::size_t>{0, 1, 2}));
+    plot.curves.push_back({.name = "exact, too", .colour = Curve::exact});
+    EXPECT_EQ(drawing_order(plot), (std::vector<std::size_t>{1, 3, 0, 2}));
+}
+
 TEST(plot, runs_are_told_apart_by_their_lines) {
     EXPECT_TRUE(dashes_of(line_of_run(0)).empty());
     for (std::size_t a = 0; a < 4; ++a) {

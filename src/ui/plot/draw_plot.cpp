@@ -101,7 +101,7 @@ void draw_curves(const Context& context, const Plot& plot, const Lines& lines, c
     list.PushClipRect({frame.x, frame.y - thickness}, {frame.right() + 1, frame.bottom() + thickness}, true);
     for (const plot::Band& band : plot.bands) draw_band(list, context, band, layout);
     draw_moments(list, context, plot, layout);
-    for (std::size_t i = 0; i < lines.size(); ++i) draw_curve(list, context, plot.curves[i], lines[i], layout);
+    for (const std::size_t i : plot::drawing_order(plot)) draw_curve(list, context, plot.curves[i], lines[i], layout);
     list.PopClipRect();
 }
 
