@@ -20,22 +20,22 @@ constexpr std::size_t most_blocks = 100'000;
 bool is_number(const WrittenVector& v) { return v.x.text.empty() && v.y.text.empty() && v.z.text.empty(); }
 
 /// True if this selects from the group: "gas" or "gas[2-5]".
-bool names(std::string_view selection, std::string_view group) {
+bool selects(std::string_view selection, std::string_view group) {
     return !group.empty() && selection.substr(0, selection.find('[')) == group;
 }
-bool names(const std::vector<std::string>& selections, std::string_view group) {
-    return std::any_of(selections.begin(), selections.end(), [&](const auto& each) { return names(each, group); });
+bool selects(const std::vector<std::string>& selections, std::string_view group) {
+    return std::any_of(selections.begin(), selections.end(), [&](const auto& each) { return selects(each, group); });
 }
 
 /// True if anything of the scene is said of the group.
 bool uses(const Scene& scene, std::string_view group) {
     const auto any = [](const auto& terms, const auto& does) { return std::any_of(terms.begin(), terms.end(), does); };
-    return any(scene.fixes, [&](const Fix& fix) { return names(fix.particles, group); }) ||
-           any(scene.pairs, [&](const PairTerm& term) { return names(term.between, group); }) ||
-           any(scene.fields, [&](const FieldTerm& field) { return names(field.particles, group); }) ||
+    return any(scene.fixes, [&](const Fix& fix) { return selects(fix.particles, group); }) ||
+           any(scene.pairs, [&](const PairTerm& term) { return selects(term.between, group); }) ||
+           any(scene.fields, [&](const FieldTerm& field) { return selects(field.particles, group); }) ||
            any(scene.springs, [&](const SpringTerm& term) {
-               return names(term.between, group) || any(term.pairs, [&](const auto& ends) {
-                          return names(ends.first, group) || names(ends.second, group);
+               return selects(term.between, group) || any(term.pairs, [&](const auto& ends) {
+                          return selects(ends.first, group) || selects(ends.second, group);
                       });
            });
 }

@@ -29,7 +29,7 @@ bool is_program(const std::string& program) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        if (can_run(folder + '/' + program)) return true;
+        if (can_run(folder.append("/").append(program))) return true;
     }
     return false;
 }
