@@ -184,10 +184,9 @@ void add_plot(PlotsState& plots) {
 /// What adds a plot, or takes one away, at the right of the line.
 void draw_count(const Context& context, const Slot& slot) {
     PlotsState& plots = context.state.plots;
-    float right = slot.area.right() - context.px(40);
+    const float right = slot.area.right() - context.px(64);  // "+" stays where it is when there is a second plot
     const std::string id = slot.id(context);
     if (plots.shown.size() > 1) {
-        right -= context.px(24);
         ImGui::SetCursorScreenPos({right, slot.area.y + context.px(5)});
         if (cross_button(context, id + ".close"))
             plots.shown.erase(plots.shown.begin() + static_cast<long>(slot.number));

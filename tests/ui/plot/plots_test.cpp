@@ -154,6 +154,12 @@ TEST(plots, are_added_and_closed_down_to_one) {
     }
     EXPECT_TRUE(desk.has("plot 1"));
     EXPECT_FALSE(desk.has("plot 2"));
+    const float alone = desk.widget("plots.add").right;
+    desk.click("plots.add");
+    desk.frame();
+    EXPECT_NEAR(desk.widget("plots.add").right, alone, 2) << "a second click adds another one, and closes none";
+    desk.click("energy error.close");
+    desk.frame();
     EXPECT_FALSE(desk.has("position error.close")) << "one stays";
 }
 
