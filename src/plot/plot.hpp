@@ -34,7 +34,7 @@ struct Curve {
     /// Colours that have a meaning, besides those of runs, which are numbers from 0. Quiet: behind the others.
     static constexpr std::size_t exact = 100, quiet = 101;
 
-    std::string name = {};   ///< in the legend and in the header of the CSV file
+    std::string name = {};   ///< in the header of the CSV file, and at the pointer
     std::string label = {};  ///< in the legend; empty: the name
     std::size_t colour = 0;
     Line line = Line::solid;

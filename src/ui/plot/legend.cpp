@@ -144,7 +144,7 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
     if (covers_most(card, frame, 0.35f) && !context.is_saved()) {
         font = context.theme.fonts().tiny;
         card = card_in(font, Names::small);
-        // of many runs: the list of runs has the same lines, and the pointer tells the names
+        // the pointer tells the names
         if (covers_most(card, frame, 0.6f)) card = card_in(font, Names::none);
     }
     if (card.empty()) return;
