@@ -10,8 +10,8 @@ namespace steplab {
 
 void keep_no_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
-    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and memory freed below it leaves holes
-    mallopt(M_TRIM_THRESHOLD, 2 << 20);
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);   // glibc's own grows to 32 MiB, and memory freed below it leaves holes
+    mallopt(M_TRIM_THRESHOLD, 32 << 20);  // drawing frees some megabytes for each frame
 #endif
 }
 

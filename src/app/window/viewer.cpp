@@ -16,8 +16,6 @@
 namespace steplab {
 namespace {
 
-// A virtual display does not wait for a refresh, so the frame rate is limited here.
-constexpr std::chrono::duration<double> frame_time{1.0 / 60};
 // A click reaches the panels in one frame; a widget that it opens has its final size two frames later.
 constexpr int frames_after_input = 3;
 // Interpolated pictures between two steps are drawn only if a picture takes less than this.
@@ -71,7 +69,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
 void Viewer::run(EndWatch& watch) {
     while (!quit_ && !window_.closing() && !watch.signal()) {
         take_news();
-        if (frames_wanted_ > 0 && Clock::now() >= due()) {
+        if (frames_wanted_ > 0 && Clock::now() >= beat_.due()) {
             window_.wait(0);  // where frames take longer than their time there is no other wait
             draw_frame();
         } else {
@@ -127,7 +125,7 @@ void Viewer::take_news() {
         movement_.pictured(painted_.requested, painted_.enlarged > 1, Clock::now());
         if (delayed_) save_snapshot(*std::exchange(delayed_, std::nullopt));
         frames_wanted_ = std::max(frames_wanted_, 1);
-        urgent_ = true;
+        beat_.hurry();
         picture_.forget_scene();
     }
 }
@@ -188,35 +186,23 @@ void Viewer::take_gallery() {
     frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
-/// When the next frame is due. What waits for one does not wait for those that looked as before, which take little
-/// time.
-Viewer::Clock::time_point Viewer::due() const {
-    const auto after = [](Clock::time_point time, std::chrono::duration<double> duration) {
-        return time + std::chrono::duration_cast<Clock::duration>(duration);
-    };
-    if (!urgent_) return after(drawn_, frame_time);
-    return std::max(after(shown_, frame_time), after(drawn_, frame_time / 4));
-}
-
 void Viewer::wait() {
     const auto now = Clock::now();
     if (frames_wanted_ > 0) {
-        window_.wait(std::max(1e-4, seconds(due() - now)));
+        window_.wait(std::max(1e-4, seconds(beat_.due() - now)));
     } else {
         window_.wait(change_ == Clock::time_point::max() ? 1e9 : std::max(1e-3, seconds(change_ - now)));
     }
     if (window_.take_touched()) {
         frames_wanted_ = frames_after_input;
-        urgent_ = true;
+        beat_.hurry();
     }
     if (Clock::now() >= change_) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
 void Viewer::draw_frame() {
     const auto now = Clock::now();
-    measured_.since_last_frame = std::max(1e-4, seconds(now - drawn_));
-    drawn_ = now;
-    urgent_ = false;
+    measured_.since_last_frame = std::max(1e-4, seconds(beat_.draw(now)));
     --frames_wanted_;
     const ui::Display display = window_.display();
     trace_.report("size", std::to_string(display.width) + "x" + std::to_string(display.height));
@@ -225,7 +211,7 @@ void Viewer::draw_frame() {
     interface_.draw(*view_, *worker_, {camera_, style_, painted_.view.get()}, measured_);
     if (!opened_choices_) opened_choices_ = choices();
     ask_for_scene(now);
-    show(now);
+    show();
     take_film_frame();
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     const double still = interface_.seconds_until_change();
@@ -237,14 +223,14 @@ void Viewer::draw_frame() {
 }
 
 /// Not what looks as it did, unless the window has lost it.
-void Viewer::show(Clock::time_point now) {
+void Viewer::show() {
     const bool exposed = window_.take_exposed();
     if (!picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data())) {
         if (!exposed) return;
         picture_.repeat();
     }
     window_.show_picture();
-    shown_ = now;
+    beat_.show();
     counted_.drew_frame();
 }
 

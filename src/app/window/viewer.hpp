@@ -3,6 +3,7 @@
 #include "app/cli/view_options.hpp"
 #include "app/film/film_recorder.hpp"
 #include "app/window/caption_strip.hpp"
+#include "app/window/frame_beat.hpp"
 #include "app/window/frame_count.hpp"
 #include "app/window/gallery_loader.hpp"
 #include "app/window/painter.hpp"
@@ -58,10 +59,9 @@ private:
     void take_files();
     void take(const SceneFiles::News& news);
     void take_gallery();
-    Clock::time_point due() const;
     void wait();
     void draw_frame();
-    void show(Clock::time_point now);
+    void show();
     void ask_for_scene(Clock::time_point now);
     int enlarged(Clock::time_point now, const ui::PixelRect& scene);
     void carry_out(const ui::Request& request);
@@ -112,13 +112,11 @@ private:
     ui::Measured measured_;
     ui::Coarseness coarseness_;
     ui::Movement movement_;
-    render::Camera asked_camera_;             ///< of the last picture
-    ui::PixelRect asked_scene_;               ///< its place
-    bool coarse_ = false;                     ///< the last request was
-    std::optional<ui::Request> delayed_;      ///< to save a picture, once the scene is drawn in full
-    Clock::time_point drawn_ = Clock::now();  ///< when the last frame began
-    Clock::time_point shown_ = drawn_;        ///< when the last one began that looks otherwise than the one before
-    bool urgent_ = false;                     ///< input or a picture waits for the next frame
+    render::Camera asked_camera_;         ///< of the last picture
+    ui::PixelRect asked_scene_;           ///< its place
+    bool coarse_ = false;                 ///< the last request was
+    std::optional<ui::Request> delayed_;  ///< to save a picture, once the scene is drawn in full
+    FrameBeat beat_{Clock::now()};
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;
     std::unique_ptr<FilmRecorder> film_;  ///< that is taken, or completed
