@@ -38,6 +38,8 @@ public:
     std::uint64_t frames() const { return index_.size(); }
     /// Particles of each frame.
     std::uint64_t rows() const { return index_.front().rows; }
+    /// True if the first frame has them; else those of frames are 0.
+    bool has_velocities() const { return !block(0).velocities.empty(); }
     /// Why there are no more frames behind these; empty if the file ends with a whole one, or is not looked through.
     std::string fault() const;
     /// Frames without times are 1 s apart for each step.

@@ -22,7 +22,8 @@ namespace {
 
 }  // namespace
 
-Playback::Playback(const std::string& file) : file_(file), file_frames_(played_frames(file)) {
+Playback::Playback(const std::string& file)
+    : file_(file), file_frames_(played_frames(file)), sampled_frames_(file_frames_->rows()) {
     const std::optional<RunDescription> described = file_frames_->run();
     run_ = described ? *described : unknown_run(file);
     if (frames() == 0) refuse_file(file_, "it holds no whole frame");
@@ -42,6 +43,8 @@ void Playback::find_end() {
     last_time_ = last.time;
     last_step_ = last.step;
     backward_ = last_time_ < first_time_;
+    if (sampled_frames_.adapt(frames())) samples_.clear();
+    lacks_samples_ = with_samples_;
 }
 
 bool Playback::look_on() {
@@ -89,7 +92,7 @@ struct Playback::Handle {
         of.follow_tracked();
     }
     void operator()(const event::ShowSamples& show) const {
-        of.with_samples_ = show.on;
+        of.with_samples_ = of.lacks_samples_ = show.on;
         of.take_sample();
     }
     void operator()(const event::ShowForces& show) const {
@@ -182,32 +185,12 @@ void Playback::arrive() {
     frame_.shape = shape_;
     frame_.ensemble.clear();
     find_next();
-    if (!meter_) return;
-    diagnostics_ = meter_->measure(frame_);
-    if (number_ == 0) first_energy_ = diagnostics_.energy;
-    diagnostics_.energy_error = diagnostics_.energy - first_energy_;
-    take_sample();
-}
-
-void Playback::follow_tracked() {
-    samples_.follow(tracked_particles(tracked_, also_tracked_));
-    take_sample();
-}
-
-void Playback::take_sample() {
-    if (with_samples_ && meter_) samples_.put(sample());
-}
-
-Sample Playback::sample() const {
-    Sample sample = sample_of(frame_.step, frame_.time, diagnostics_);
-    for (const std::size_t particle : samples_.followed()) {
-        sample.particles.emplace_back();
-        if (particle >= frame_.positions.size()) continue;
-        const Tracked now = tracked(particle);
-        sample.particles.back() =
-            Sample::Particle{now.displacement, frame_.velocities[particle], now.exact_displacement};
+    diagnostics_ = measure(frame_);
+    if (number_ == 0) {
+        first_energy_ = diagnostics_.energy;
+        diagnostics_.energy_error = 0;
     }
-    return sample;
+    take_sample();
 }
 
 /// One that is damaged is due at once: then that is reported.
@@ -237,8 +220,13 @@ void Playback::observe(SessionView& view) {
     if (loop_)
         view.line.loop = {file_frames_->moment(frame_of(loop_->first)).time,
                           file_frames_->moment(frame_of(loop_->last)).time};
-    view.playback =
-        PlaybackView{file_, number_, frames(), file_frames_->fault(), is_measured(), file_frames_->looked_through()};
+    view.playback = PlaybackView{file_,
+                                 number_,
+                                 frames(),
+                                 file_frames_->fault(),
+                                 is_measured(),
+                                 file_frames_->has_velocities(),
+                                 file_frames_->looked_through()};
     observe(view.leading);
 }
 
@@ -247,7 +235,6 @@ void Playback::observe(RunView& view) {
     Frame frame = std::move(view.frame);
     SampleSeries series = std::move(view.series);
     frame = frame_;
-    take_sample();  // of a particle that is followed since
     samples_.put_into(series);
     view = RunView();
     view.description = run_;
@@ -262,21 +249,13 @@ void Playback::observe(RunView& view) {
         view.has_exact = meter_->exact() != nullptr;
     }
     tell_of(
-        samples_.followed(), frame_.positions.size(), [this](std::size_t particle) { return tracked(particle); }, view);
+        samples_.followed(), frame_.positions.size(),
+        [this](std::size_t particle) { return tracked(particle, frame_); }, view);
     view.playing = playing_;
     view.can_step_back = number_ > 0;
     view.rate = rate_;
     view.dt = run_.origin && !is_measured() ? spacing() : rounded_to(run_.precision, run_.dt);
     view.opening_dt = view.dt;
-}
-
-Tracked Playback::tracked(std::size_t particle) const {
-    const Vec3 rest = shape_->rest[particle];
-    Tracked tracked{particle, frame_.positions[particle] - rest};
-    if (!meter_ || !meter_->exact()) return tracked;
-    tracked.exact = {meter_->exact(), particle, frame_.reference.at(particle) - rest};
-    tracked.exact_displacement = tracked.exact->displacement(frame_.time);
-    return tracked;
 }
 
 PlayedStart played_start(const std::string& file) {

@@ -2,6 +2,7 @@
 
 #include "session/event.hpp"
 #include "session/played_frames.hpp"
+#include "session/sampled_frames.hpp"
 #include "session/session_view.hpp"
 #include "sim/run/state_meter.hpp"
 
@@ -63,6 +64,13 @@ public:
     bool play_next();
     bool plays_backwards() const { return playing_ && backwards_; }
 
+    /// True if plots lack a frame that is not read yet.
+    bool lacks_samples() const { return lacks_samples_; }
+    /// Reads one of them; one that is damaged is left out.
+    void sample_on();
+    /// Reads all of them up to the frame at which it stands. Throws Interrupted.
+    void sample_to_here();
+
     /// The present moment, reusing the memory of `view`. Throws UsageError if forces cannot be computed.
     void observe(SessionView& view);
 
@@ -89,8 +97,10 @@ private:
     void bookmark(const std::string& text);
     void find_next();
     void observe(RunView& view);
-    Tracked tracked(std::size_t particle) const;
-    Sample sample() const;
+    Tracked tracked(std::size_t particle, const Frame& frame) const;
+    Diagnostics measure(const Frame& frame);
+    Sample sample(const Frame& frame, const Diagnostics& measured) const;
+    void sample_frame(std::uint64_t number);
     void follow_tracked();
     void take_sample();
 
@@ -113,9 +123,10 @@ private:
     Rate rate_;
     std::optional<std::size_t> tracked_;
     std::vector<std::size_t> also_tracked_;
-    bool with_forces_ = false, with_samples_ = false;
+    bool with_forces_ = false, with_samples_ = false, lacks_samples_ = false;
     double magnified_ = 1;
-    RunSamples samples_{0};  ///< of the frames that were gone to
+    SampledFrames sampled_frames_;
+    RunSamples samples_{0};
     std::vector<Mark> bookmarks_;
 };
 

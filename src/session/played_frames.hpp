@@ -21,6 +21,7 @@ public:
     /// Throw FileError if the frame is damaged. Velocities are 0 where none are known.
     virtual FrameBlock::Moment moment(std::uint64_t number) = 0;
     virtual void frame(std::uint64_t number, Frame& out) = 0;
+    virtual bool has_velocities() const { return true; }
     /// Why there are no more; empty if the file is whole.
     virtual std::string fault() const = 0;
     /// The run that wrote it; none of a file that does not describe its run. Throws FileError.

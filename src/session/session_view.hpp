@@ -71,6 +71,7 @@ struct PlaybackView {
     std::string fault = {};    ///< why there are no more; empty if the file is whole
     /// The file holds all particles of its scene: energies and forces are known, and it can be continued.
     bool measured = true;
+    bool has_velocities = true;
     double looked_through = 1;  ///< the part of the file in which frames were looked for so far
 };
 

@@ -13,8 +13,6 @@ namespace {
 
 /// Computing time between two polls of the events: short enough for a change to take effect at once.
 constexpr Pace::Duration slice{0.008};
-/// The same of samples that are taken late, and how often they are shown.
-constexpr Pace::Duration late_slice{0.004}, between_late_views{0.2};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 /// Where not even an error can be handled, the next attempt comes after this time.

@@ -37,6 +37,8 @@ struct Worker::Body {
     static constexpr double part_for_views = 0.02, part_for_history = 0.01;
     /// But a picture that moves less often than this is of no use to who watches.
     static constexpr std::chrono::milliseconds longest_without_view{500};
+    /// Computing time of samples that are taken late between two polls of the events, and how often they are shown.
+    static constexpr Pace::Duration late_slice{0.004}, between_late_views{0.2};
     /// An event of a film is seen before the next one comes.
     static constexpr std::chrono::milliseconds between_film_events{40};
     /// A shorter pause is not recorded, and a longer one is cut in a film.
@@ -152,6 +154,7 @@ struct Worker::Body {
     void wait_for_frame(std::unique_lock<std::mutex>& lock);
     Clock::time_point next_frame_due() const;
     void play_frame(Clock::time_point now);
+    bool sample_frames();
     void play_frames(bool to_show);
     void tell_doubt();
     void catch_up(Pace::Duration most);

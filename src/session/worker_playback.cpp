@@ -74,7 +74,7 @@ Worker::Body::Clock::time_point Worker::Body::next_frame_due() const {
 }
 
 void Worker::Body::wait_for_frame(std::unique_lock<std::mutex>& lock) {
-    if (playback->has_more()) return;
+    if (playback->has_more() || playback->lacks_samples()) return;
     auto due = playback->playing() ? next_frame_due() : Clock::time_point::max();
     if (playback->can_grow()) due = std::min(due, Clock::now() + between_looks);
     if (due == Clock::time_point::max()) return changed.wait(lock, [this] { return called(); });
@@ -92,6 +92,14 @@ void Worker::Body::play_frame(Clock::time_point now) {
     if (turned) frames_since = {now, playback->elapsed()};
 }
 
+/// Some of those that plots show. True if they are to be seen.
+bool Worker::Body::sample_frames() {
+    if (!playback->lacks_samples()) return false;
+    const auto begin = Clock::now();
+    while (playback->lacks_samples() && Clock::now() - begin < late_slice) playback->sample_on();
+    return !playback->lacks_samples() || begin - published > between_late_views;
+}
+
 /// Takes the file to where the clock is. What cannot be read ends playing.
 void Worker::Body::play_frames(bool to_show) {
     const auto now = Clock::now();
@@ -102,6 +110,7 @@ void Worker::Body::play_frames(bool to_show) {
     }
     if (!well) playback->stop();
     went_well([&] { to_show = playback->look_on() || to_show; });
+    went_well([&] { to_show = sample_frames() || to_show; });
     if (to_show || due) publish(true, well);
 }
 

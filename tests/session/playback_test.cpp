@@ -199,23 +199,6 @@ TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
     EXPECT_TRUE(view_of(playback).line.bookmarks.empty());
 }
 
-TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
-    const Written written(played_chain());
-    Playback playback(written.path);
-    playback.handle(event::ShowSamples{true});
-    playback.handle(event::Track{5});
-    for (const std::uint64_t frame : {0U, 3U, 1U}) go_to(playback, frame);
-    const auto samples = view_of(playback).leading.series.samples;
-    ASSERT_EQ(samples.size(), 3u);
-    Simulation simulation(written.run);
-    for (const Sample& sample : samples) {
-        simulation.advance(sample.step - simulation.step());
-        EXPECT_EQ(sample.kinetic, simulation.diagnostics().kinetic);
-        ASSERT_TRUE(sample.particle());
-        EXPECT_EQ(sample.particle()->velocity, simulation.frame().velocities[5]);
-    }
-}
-
 TEST(Playback, of_some_particles_shows_them_alone) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trajectory");

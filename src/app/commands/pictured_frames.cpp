@@ -23,11 +23,14 @@ PicturedFrames::PicturedFrames(const std::string& file, PictureRequest request, 
       first_time_(playback_.frame().time),
       progress_(1, isatty(STDERR_FILENO) != 0, std::move(program)) {
     for (; playback_.has_more(); playback_.look_on()) check_interruption();
-    playback_.handle(event::Track{request_.style.selected});
+    auto selected = request_.style.selected;
+    if (request_.panel && !selected) selected = first_followed(*playback_.frame().shape);
+    playback_.handle(event::Track{selected});
     const ParticleList& others = request_.style.selected_too;
     playback_.handle(event::AlsoTrack{{others.begin(), others.end()}});
     if (request_.style.forces) playback_.handle(event::ShowForces{});
     playback_.handle(event::Magnify{request_.style.displacements});
+    if (request_.panel) playback_.handle(event::ShowSamples{});
     length_ = length_to({.step = std::numeric_limits<std::uint64_t>::max()});
     show();
 }
@@ -55,6 +58,7 @@ void PicturedFrames::arrive(const Event& event) {
 
 /// Puts the frame at which it stands into the picture.
 void PicturedFrames::show() {
+    if (request_.panel) playback_.sample_to_here();
     SessionView view;
     playback_.observe(view);
     request_.view = std::move(view.leading);

@@ -47,8 +47,9 @@ public:
         interface_.select_too(request.style.selected_too);
         for (const PastMoment& moment : request.past) record(moment);
         interface_.record(request.view);
-        view_.leading.series.samples.push_back(sample_of(request.view));
-        for (std::size_t i = 0; i < view_.followers.size(); ++i) add(i, sample_of(request.followers[i]));
+        add(view_.leading, sample_of(request.view));
+        for (std::size_t i = 0; i < view_.followers.size(); ++i)
+            add(view_.followers[i], sample_of(request.followers[i]));
         add_errors(request.view.frame.step, request.errors);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
@@ -90,7 +91,7 @@ private:
         interface_.record(moment.leading);
         add_errors(moment.leading.frame.step, moment.errors);
         view_.leading.series.samples.push_back(moment.sample);
-        for (std::size_t i = 0; i < moment.followers.size(); ++i) add(i, moment.followers[i]);
+        for (std::size_t i = 0; i < moment.followers.size(); ++i) add(view_.followers[i], moment.followers[i]);
     }
 
     void add_errors(std::uint64_t step, const std::optional<SessionErrors>& errors) {
@@ -102,9 +103,10 @@ private:
         }
     }
 
-    /// A run beside the leading one has none of its own between two of its steps, and none after it has diverged.
-    void add(std::size_t follower, const Sample& sample) {
-        std::vector<Sample>& samples = view_.followers[follower].series.samples;
+    /// A run beside the leading one has none of its own between two of its steps, and none after it has diverged; a
+    /// frame of a file may be among those that are known.
+    static void add(RunView& run, const Sample& sample) {
+        std::vector<Sample>& samples = run.series.samples;
         if (samples.empty() || samples.back().step < sample.step) samples.push_back(sample);
     }
 

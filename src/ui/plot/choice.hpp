@@ -77,6 +77,15 @@ inline std::string plot_word(const PlotKindInfo& info) {
 /// Speed or time against error: what is scanned for them is the same.
 constexpr bool shows_costs(PlotKind kind) { return kind == PlotKind::costs || kind == PlotKind::times; }
 
+/// True if nothing of the scene but its particles is needed for it.
+constexpr bool is_of_particles(PlotKind kind) {
+    return kind == PlotKind::displacement || kind == PlotKind::position || kind == PlotKind::spectrum ||
+           kind == PlotKind::velocity || kind == PlotKind::phase || kind == PlotKind::speeds;
+}
+constexpr bool shows_velocities(PlotKind kind) {
+    return kind == PlotKind::velocity || kind == PlotKind::phase || kind == PlotKind::speeds;
+}
+
 /// The name of a kind.
 const PlotKindInfo& info_of(PlotKind kind);
 

@@ -177,21 +177,28 @@ bool save_button(const Context& context, const Plot& plot, const Area& area) {
                        ButtonStyle::quiet);
 }
 
+/// The name of the axis across in so much room, if need be without what it says in brackets.
+std::string name_across(const Plot& plot, float room) {
+    plot::Quantity axis = plot.x;
+    if (ImGui::CalcTextSize(text_of(axis).c_str()).x > room)
+        axis.name.resize(std::min(axis.name.size(), axis.name.find(" (")));
+    return shortened(text_of(axis), room);
+}
+
 /// The name of the axis across; beside it, in a picture that is saved, of what run the plot is.
 void draw_axis_name(const Context& context, const Plot& plot, const Area& area, const Area& frame) {
     const WithFont font(context.theme.fonts().small);
-    const std::string name = text_of(plot.x);
+    const float left = area.x + context.px(8), right = frame.right();
+    const float last = context.is_saved() ? right : right - context.px(62);  // beside the name lies the scale's button
+    const std::string name = name_across(plot, last - left);
     const float width = ImGui::CalcTextSize(name.c_str()).x;
-    const float y = area.bottom() - context.px(12), right = frame.right();
+    const float y = area.bottom() - context.px(12);
     const std::string& caption = context.is_saved() ? plot.caption : std::string();
     if (ImGui::CalcTextSize(caption.c_str()).x + width + context.px(20) < frame.width && !caption.empty()) {
         text_left(frame.x, y, caption, colour::text_faint);
         return text_right(right, y, name, colour::text_dim);
     }
-    // beside the name lies the button of the scale
-    const float middle = frame.x + 0.5f * (frame.width - width);
-    const float last = context.is_saved() ? middle : right - context.px(62) - width;
-    text_left(std::min(middle, last), y, name, colour::text_dim);
+    text_left(std::min(frame.x + 0.5f * (frame.width - width), last - width), y, name, colour::text_dim);
 }
 
 void draw_content(const Context& context, const Plot& plot, const Area& area, const plot::Layout& layout,

@@ -166,6 +166,7 @@ Range frequencies_shown(const Plot& plot) {
 
 /// As lines, which are named by their numbers; those of one frequency have one.
 void add_modes(Plot& plot, const Context& context) {
+    if (context.session.playback && !context.session.playback->measured) return;  // of particles without their scene
     const auto& modes = context.state.plots.laws.modes(context.view.description);
     if (!modes) plot.x.name += " (modes: of up to 64 particles)";
     if (!modes) return;

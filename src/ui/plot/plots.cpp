@@ -264,15 +264,22 @@ void set_scale_across(Plot& plot, plot::Scale scale) {
     plot.x.range = least < plot.x.range->high ? std::optional(Range{least, plot.x.range->high}) : std::nullopt;
 }
 
+/// Empty: it is known of what is played.
+std::string_view why_unknown(PlotKind kind, const std::optional<PlaybackView>& playback) {
+    if (!playback) return "";
+    if (!playback->measured && !is_of_particles(kind)) return "not known: the file does not have a whole scene";
+    if (!playback->has_velocities && shows_velocities(kind)) return "not known: the file has no velocities";
+    return "";
+}
+
 /// Errors of methods differ by powers of ten.
 Plot plot_of(const Context& context, const PlotChoice& choice) {
     Plot plot{.name = std::string(info_of(choice.kind).id),
               .caption = fmt::format("{}, {}", context.view.description.model,
                                      run_name(context.view.description, context.view.description)),
               .empty = "no data yet"};
-    const auto& playback = context.session.playback;
-    if (playback && !playback->measured) {
-        plot.empty = "not known: the file does not have a whole scene";
+    if (const std::string_view reason = why_unknown(choice.kind, context.session.playback); !reason.empty()) {
+        plot.empty = reason;
         return plot;
     }
     const bool of_samples =

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -203,6 +204,28 @@ TEST(particle_plots, a_scene_without_pair_forces_has_no_pair_potential) {
     Recorded recorded("chain");
     choose(recorded.desk, 1, "pair potential");
     EXPECT_EQ(saved_csv(recorded.desk, "pair potential"), "distance of two particles\n");
+}
+
+/// True if a plot of this kind has points, of a file that is played.
+bool is_known(PlotKind kind, const PlaybackView& playback) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    recorded.desk.session.playback = playback;
+    const std::string name(info_of(kind).id);
+    choose(recorded.desk, 1, name);
+    const std::string table = saved_csv(recorded.desk, name);
+    return std::count(table.begin(), table.end(), '\n') > 1;
+}
+
+TEST(particle_plots, are_known_of_files_without_their_scene_as_far_as_they_have_it) {
+    using enum PlotKind;
+    const PlaybackView whole{.file = "a.trajectory"}, rows{.file = "a.xyz", .measured = false},
+        positions{.file = "a.xyz", .measured = false, .has_velocities = false};
+    for (const PlotKind kind : {energies, momentum, displacement, position, velocity, phase, speeds}) {
+        EXPECT_TRUE(is_known(kind, whole)) << info_of(kind).id;
+        EXPECT_EQ(is_known(kind, rows), kind != energies && kind != momentum) << info_of(kind).id;
+        EXPECT_EQ(is_known(kind, positions), kind == displacement || kind == position) << info_of(kind).id;
+    }
 }
 
 }  // namespace

@@ -101,5 +101,23 @@ TEST(plots, lie_below_their_controls_at_any_scale) {
     }
 }
 
+// A long name of an axis lay over the plot beside it.
+TEST(plots, have_names_of_axes_within_their_own_width) {
+    for (const PlotKindInfo& info : plot_kinds) {
+        Recorded recorded(describe("mesh"), 100, {55});
+        Desk& desk = recorded.desk;
+        const auto choice = [](PlotKind kind) { return default_choice(kind); };
+        const PlotKind other = info.kind == PlotKind::energies ? PlotKind::momentum : PlotKind::energies;
+        const PlotKind third = info.kind == PlotKind::displacement ? PlotKind::position : PlotKind::displacement;
+        desk.interface.use({.plots = {choice(other), choice(third), choice(info.kind)}}, {});
+        for (int i = 0; i < 3; ++i) desk.frame();
+        const WidgetRect scale = desk.widget(std::string(info_of(third).id) + ".across");
+        const float left = desk.widget("plot 3").left, middle = 0.5f * (scale.top + scale.bottom);
+        EXPECT_EQ(desk.vertices_within({scale.right + 1, scale.top, left - 1, middle}), 0) << info.id;
+        if (!is_of_particles(info.kind)) continue;  // it may be empty
+        EXPECT_GT(desk.vertices_within({left, scale.top, left + 200, middle}), 0) << info.id;
+    }
+}
+
 }  // namespace
 }  // namespace steplab::ui
