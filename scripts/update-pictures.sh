@@ -119,3 +119,9 @@ say "docs/images/playback.png: a trajectory that is played"
 open_window --trajectory "$folder/mesh.trajectory" --speed 4 --play
 expect 'step 2[2-9][0-9]'; click play; expect 'playing false'
 window_picture playback
+say "docs/images/million.png: a mesh of a million particles that LAMMPS computes on two ranks"
+"$root/build/release/bin/steplab" export --model mesh --set dim=1000 --method velocity-verlet --to scene --out "$folder/million.toml"
+"$root/build/release/bin/steplab" cluster --scene "$folder/million.toml" --dt 0.1 --steps 800 --every 100 --ranks 2 \
+    --out "$folder/million.trajectory" >/dev/null
+picture million --trajectory "$folder/million.trajectory" --steps 800 --ui on --colour displacement --displacements 10 \
+    --view 35,30,120,1000,0,-1000 --size 1000x640 --scale 0.8

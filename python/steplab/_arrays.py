@@ -6,6 +6,7 @@ import os
 from typing import Any, Mapping, NoReturn
 
 import numpy as np
+import numpy.typing as npt
 
 from ._errors import UsageError
 
@@ -31,7 +32,7 @@ def of_type(value: Any, name: str, kind: type | tuple[type, ...], wanted: str) -
     return value
 
 
-def array_from(value: Any, name: str, shape: tuple[int | None, ...]) -> np.ndarray:
+def array_from(value: Any, name: str, shape: tuple[int | None, ...]) -> npt.NDArray[np.float64]:
     """Real numbers of this shape (None: any length) as contiguous float64; copied only where they are not that already."""
     wanted = "(" + ", ".join("n" if n is None else str(n) for n in shape) + ("," if len(shape) == 1 else "") + ")"
     try:
@@ -46,7 +47,7 @@ def array_from(value: Any, name: str, shape: tuple[int | None, ...]) -> np.ndarr
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def array_to_fill(out: Any, shape: tuple[int, ...]) -> np.ndarray:
+def array_to_fill(out: Any, shape: tuple[int, ...]) -> npt.NDArray[np.float64]:
     """An array that results can be written into, or a new one. Nothing is converted: the caller looks into `out`."""
     if out is None:
         return np.empty(shape)

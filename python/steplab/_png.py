@@ -6,13 +6,14 @@ import struct
 import zlib
 
 import numpy as np
+import numpy.typing as npt
 
 
 def _chunk(kind: bytes, content: bytes) -> bytes:
     return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
 
-def encoded(pixels: np.ndarray) -> bytes:
+def encoded(pixels: npt.NDArray[np.uint8]) -> bytes:
     """Of an array (height, width, 4) of uint8."""
     height, width, _ = pixels.shape
     header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)  # 8 bits, red green blue alpha

@@ -151,7 +151,8 @@ class Scene:
 
 def core_of(scene: Any) -> _CoreScene:
     """What the library has of a scene that was given to a function."""
-    return of_type(scene, "scene", Scene, 'a steplab.Scene, such as Scene.model("chain")')._core
+    known: Scene = of_type(scene, "scene", Scene, 'a steplab.Scene, such as Scene.model("chain")')
+    return known._core
 
 
 def _restored(saved: str) -> Scene:

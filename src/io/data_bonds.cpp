@@ -1,7 +1,10 @@
 #include "io/data_bonds.hpp"
 
+#include "core/shown.hpp"
 #include "io/text_input.hpp"
 #include "io/words.hpp"
+
+#include <fmt/format.h>
 
 #include <charconv>
 #include <string_view>
@@ -26,18 +29,24 @@ bool names_section(std::string_view word) { return word.front() >= 'A' && word.f
 std::vector<DataBond> read_data_bonds(const std::string& file) {
     TextInput text{InputFile(file)};
     std::vector<DataBond> bonds;
-    bool here = false;
+    std::string told = "0";  // by the head
+    bool in_head = true, here = false;
     text.line();  // a title of any words
     while (const auto line = text.line()) {
         const auto words = words_of(line->substr(0, line->find('#')));
         if (words.empty()) continue;
         if (names_section(words.front())) {
+            in_head = false;
             here = words.size() == 1 && words.front() == "Bonds";
         } else if (here) {
             if (words.size() < 4) text.fail("a bond has a number, a type and the ids of two atoms, from 1");
             bonds.push_back({id_of(text, words[2]), id_of(text, words[3])});
+        } else if (in_head && words.size() == 2 && words[1] == "bonds") {
+            told = words[0];
         }
     }
+    if (told != std::to_string(bonds.size()))
+        text.fail(fmt::format("the file has {} bonds, its head says {}", bonds.size(), shown(told)));
     return bonds;
 }
 

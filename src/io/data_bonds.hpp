@@ -13,7 +13,7 @@ struct DataBond {
 };
 
 /// The bonds of a LAMMPS data file, also compressed; none if it has no section `Bonds`. Throws FileError naming the
-/// line.
+/// line, also where they are not as many as its head says.
 std::vector<DataBond> read_data_bonds(const std::string& file);
 
 }  // namespace steplab

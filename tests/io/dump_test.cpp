@@ -164,6 +164,13 @@ TEST_F(DumpFile, has_bonds_of_a_data_file) {
     EXPECT_THROW(read_data_bonds(written("c.data", "a\n\nBonds\n\n1 1 0 2\n")), FileError);
 }
 
+TEST_F(DumpFile, takes_no_data_file_with_fewer_bonds_than_its_head_says) {
+    const std::string data = "LAMMPS data\n\n2 bonds\n\nBonds\n\n1 1 1 2\n2 1 2 3\n";
+    EXPECT_EQ(read_data_bonds(written("a.data", data)).size(), 2u);
+    for (const std::string& cut : {data.substr(0, data.size() - 8), data.substr(0, 24), data + "3 1 1 3\n"})
+        EXPECT_THROW(read_data_bonds(written("b.data", cut)), FileError) << cut;
+}
+
 FrameBlock frame_of_numbers() {
     FrameBlock frame;
     frame.scene.box = {4, 2, 0};

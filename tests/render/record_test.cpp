@@ -61,6 +61,30 @@ TEST_F(Record, a_trajectory_is_drawn_as_its_single_frames_are) {
     EXPECT_EQ(record({"--trajectory", "none.xyz", "--out", "c.mp4"}).code, 3);
 }
 
+TEST_F(Record, films_of_a_file_that_ends_before_what_is_asked_for_say_so) {
+    put_text(file("a.xyz"), "1\nTime=0\nH 0 0 0\n1\nTime=1\nH 1 0 0\n");
+    const Words look{"--trajectory", "a.xyz", "--view", "0,0,9,1,0,0", "--size", "96x64", "--fps", "1"};
+    EXPECT_EQ(record(joined(look, {"--until", "1", "--out", "a%d.png"})).err, "");
+    const Outcome outcome = record(joined(look, {"--until", "2", "--out", "b%d.png"}));
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "steplab record: note: the file ends at step 1\n");
+}
+
+// With plots, which show all frames up to that of the picture.
+TEST_F(Record, plots_of_a_file_are_those_of_its_single_frames) {
+    ASSERT_EQ(
+        run_program({"run", "--model", "chain", "--steps", "30", "--every", "1", "--out", file("a.trajectory")}).code,
+        0);
+    const Words look{"--trajectory", "a.trajectory", "--ui",    "on",     "--plots",
+                     "velocity",     "--size",       "700x500", "--view", "10,10,30,9,0,0"};
+    ASSERT_EQ(record(joined(look, {"--fps", "1", "--out", "film%d.png"})).code, 0);
+    for (const char* const second : {"0", "2", "3"}) {
+        const std::string still = std::string("still") + second + ".png";
+        ASSERT_EQ(snapshot(joined(look, {"--until", second, "--out", still})).code, 0);
+        EXPECT_EQ(bytes(std::string("film") + second + ".png"), bytes(still));
+    }
+}
+
 /// Frames at the times 0, 1 and 2 of a file whose end is like this.
 std::string three_frames(const std::string& last) {
     return "1\nTime=0\nH 0 0 0\n1\nTime=1\nH 1 0 0\n1\nTime=2\n" + last;

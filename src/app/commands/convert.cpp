@@ -5,10 +5,9 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/standard_streams.hpp"
-#include "app/commands/run_frame.hpp"
+#include "app/commands/named_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/compression.hpp"
 #include "io/dump_text.hpp"
@@ -24,7 +23,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -262,41 +260,16 @@ private:
                             shown(file_)));
         const RunDescription run = as_held(scene_.description());
         text.require({Column::x, Column::y, Column::z, Column::vx, Column::vy, Column::vz});
+        NamedText named(file_, run);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run);
-            RunFrame of_run(run);
-            WholeFrames frames([&](const FrameBlock& frame) {
-                check_is_whole(frame, of_run.particles());
-                std::vector<Vec3> positions = frame.positions, velocities = frame.velocities;
-                const std::uint64_t step = frame.moments.front().step;
-                writer.add(
-                    of_run.at(step, time_of(frame.moments.front(), run.dt), positions, velocities, writer.needs()));
-            });
+            WholeFrames frames([&](const FrameBlock& frame) { writer.add(named.frame(frame, writer.needs())); });
             fault_ = each_before_a_fault(text, [&](const FrameBlock& frame) { frames.add(frame); });
             writer.finish();
         });
-    }
-
-    /// A text without times has steps in their place. Throws UsageError where the time is not that of the step.
-    double time_of(const FrameBlock::Moment& moment, double dt) const {
-        constexpr double rounding = 1e-6;  // of six digits, as other programs write them
-        const auto step = static_cast<double>(moment.step);
-        if (moment.time == step || std::abs(moment.time - step * dt) <= rounding * std::abs(step * dt))
-            return step * dt;
-        throw UsageError(fmt::format("step {} of '{}' is at {} s, but with --dt {} at {} s: is it another dt?",
-                                     moment.step, shown(file_), number_text(moment.time), number_text(dt),
-                                     number_text(step * dt)));
-    }
-
-    /// All particles of the scene in their order.
-    void check_is_whole(const FrameBlock& frame, std::size_t particles) const {
-        bool in_order = frame.rows == particles;
-        for (std::size_t row = 0; in_order && row < frame.rows; ++row) in_order = frame.particle(row) == row;
-        if (!in_order)
-            throw UsageError(
-                fmt::format("the frames of '{}' have {} particles, and the scene {}, which are to be numbered "
-                            "from 0 on: is it another scene?",
-                            shown(file_), frame.rows, particles));
+        if (!named.left_out().empty())
+            print_note("steplab convert",
+                       fmt::format("trajectory files have no columns for what is left out: {}", named.left_out()));
     }
 
     /// Puts a file in place that `rows` writes, or keeps what an interruption leaves of it.

@@ -51,6 +51,10 @@ bool PicturedFrames::go_to(double elapsed) {
     return true;
 }
 
+std::string PicturedFrames::end_note() const {
+    return fmt::format("the file ends at step {}", request_.view.frame.step);
+}
+
 void PicturedFrames::arrive(const Event& event) {
     playback_.handle(event);
     show();

@@ -33,6 +33,8 @@ public:
     std::string fault_before(const RunEnd& end) { return ends_before(end) ? playback_.fault() : ""; }
     /// True if the file ends earlier.
     bool ends_before(const RunEnd& end) const { return playback_.ends_before(end); }
+    /// Says at which step it ends, which is that of the picture.
+    std::string end_note() const;
 
     /// The picture of the moment.
     const PictureRequest& request() const { return request_; }

@@ -103,7 +103,9 @@ private:
         };
         print_result(write(played, count, go_to, offscreen, *film), format.fps, offscreen.kind());
         const RunEnd all{.step = std::numeric_limits<std::uint64_t>::max()};
-        const std::string fault = played.fault_before(time_.is_given() ? time_.moment(start.run) : all);
+        const RunEnd end = time_.is_given() ? time_.moment(start.run) : all;
+        if (time_.is_given() && played.ends_before(end)) print_note("steplab record", played.end_note());
+        const std::string fault = played.fault_before(end);
         if (!fault.empty())
             throw FileError(fmt::format("'{}': {}; the film is of the frames before that", shown(trajectory_), fault));
         return static_cast<int>(ExitCode::done);

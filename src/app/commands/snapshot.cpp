@@ -86,8 +86,7 @@ private:
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
         if (!written_directly(picture_.out())) print_result(frames.request().view, offscreen.kind());
-        if (frames.ends_before(end))
-            print_note("steplab snapshot", fmt::format("the file ends at step {}", frames.request().view.frame.step));
+        if (frames.ends_before(end)) print_note("steplab snapshot", frames.end_note());
         if (const std::string fault = frames.fault_before(end); !fault.empty())
             throw FileError(fmt::format("'{}': {}; the picture is of step {}, before that", shown(trajectory_), fault,
                                         frames.request().view.frame.step));

@@ -75,7 +75,14 @@ std::optional<LammpsLoop> loop_in(const std::string& line) {
 
 constexpr std::array result_files{lammps_files::log, lammps_files::trajectory, lammps_files::screen};
 
-TextInput log_of(const std::string& folder) { return TextInput(InputFile(folder + '/' + lammps_files::log)); }
+TextInput log_of(const LammpsOutput& output) {
+    const std::filesystem::path file = std::filesystem::path(output.folder()) / lammps_files::log;
+    std::error_code none;
+    if (!std::filesystem::exists(file, none))
+        throw FileError(fmt::format("no LAMMPS has run in '{}', which has no {}: {}", shown(output.folder()),
+                                    lammps_files::log, output.message()));
+    return TextInput(InputFile(file.string()));
+}
 
 }  // namespace
 
@@ -120,7 +127,7 @@ std::string LammpsOutput::message() const {
 
 std::vector<LammpsEnergy> LammpsOutput::energies() const {
     std::vector<LammpsEnergy> all;
-    TextInput log = log_of(folder_);
+    TextInput log = log_of(*this);
     while (const auto line = log.line()) {
         if (const auto energy = energy_in(std::string(*line))) all.push_back(*energy);
     }
@@ -129,13 +136,13 @@ std::vector<LammpsEnergy> LammpsOutput::energies() const {
 }
 
 std::string LammpsOutput::version() const {
-    TextInput log = log_of(folder_);
+    TextInput log = log_of(*this);
     const auto line = log.line();
     return safe_message(line ? *line : "LAMMPS");
 }
 
 std::optional<LammpsLoop> LammpsOutput::loop() const {
-    TextInput log = log_of(folder_);
+    TextInput log = log_of(*this);
     std::optional<LammpsLoop> found;
     while (const auto line = log.line()) {
         if (const auto loop = loop_in(std::string(*line))) found = loop;

@@ -139,6 +139,21 @@ TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
     EXPECT_THAT(no_mpi.err, HasSubstr("openmpi-bin"));
 }
 
+TEST(Cluster, of_another_program_than_lammps_says_so) {
+    const TemporaryFolder folder;
+    for (const char* const says : {"", "echo hello\n"}) {
+        put_program(folder, "other", std::string(says) + "exit 0\n");
+        for (const char* const command : {"cluster", "crosscheck"}) {
+            const Outcome outcome =
+                steplab({command, "--ranks", "1"}, small_mesh,
+                        {.folder = folder.path(), .environment = {"LAMMPS=" + folder.file("other")}});
+            EXPECT_EQ(outcome.code, 3);
+            EXPECT_THAT(outcome.err, HasSubstr("no LAMMPS has run in '"));
+            EXPECT_THAT(outcome.err, HasSubstr(*says ? "log.lammps: hello" : "log.lammps: it printed nothing"));
+        }
+    }
+}
+
 /// Of a process that has ended it may not have been asked yet how.
 bool is_alive(int process) {
     std::string name, state;

@@ -115,6 +115,36 @@ TEST_F(Convert, of_a_text_whose_scene_is_named_gives_the_trajectory_of_its_run) 
     }
 }
 
+TEST_F(Convert, of_a_text_whose_scene_begins_elsewhere_is_refused) {
+    const std::string rows = folder_.file("run.csv"), back = folder_.file("back.trajectory");
+    ASSERT_EQ(run_program({"run", "--model", "chain", "--steps", "4", "--every", "2", "--out", rows}).code, 0);
+    for (const auto& [setting, what] : {std::pair("L=2.01", "position of particle 1 "), {"v0=2.01", "velocity of"}}) {
+        const Outcome other = run_program(
+            {"convert", rows, "--model", "chain", "--set", setting, "--out", back, "--format", "trajectory"});
+        EXPECT_EQ(other.code, 2);
+        EXPECT_THAT(other.err, HasSubstr("is not the start of the scene, where the "));
+        EXPECT_THAT(other.err, HasSubstr(what));
+        EXPECT_FALSE(std::filesystem::exists(back));
+    }
+    EXPECT_EQ(
+        run_program({"convert", rows, "--model", "chain", "--set", "L=2.01", "--from", rows + ":0", "--out", back})
+            .code,
+        0)
+        << "another start was named";
+}
+
+TEST_F(Convert, of_a_text_to_a_trajectory_says_what_is_left_out) {
+    const std::string dump = folder_.file("a.dump");
+    put_text(dump,
+             "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ss ss ss\n0 1\n0 1\n0 1\n"
+             "ITEM: ATOMS id type x y z vx vy vz c_pe\n1 1 0 0 0 0 0 0 -3\n");
+    put_text(folder_.file("one.toml"), "steplab = 1\n[[particles]]\n");
+    const Outcome made =
+        run_program({"convert", dump, "--scene", folder_.file("one.toml"), "--out", folder_.file("a.trajectory")});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_THAT(made.err, HasSubstr("note: trajectory files have no columns for what is left out: type, c_pe"));
+}
+
 TEST_F(Convert, of_a_dump_of_an_export_to_vtk_has_its_springs) {
     const Surroundings here{.folder = folder_.path()};
     ASSERT_EQ(run_program({"export", "--model", "chain", "--steps", "4", "--to", "lammps", "--out", "job"}, here).code,
