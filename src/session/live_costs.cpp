@@ -29,6 +29,17 @@ bool same_scan(const RunDescription& a, const RunDescription& b) {
 
 }  // namespace
 
+CostsView costs_of(const std::vector<RunDescription>& runs) {
+    CostScan scan(runs.front());
+    CostsView view{.time = scan.time()};
+    for (const RunDescription& run : runs) view.runs.push_back(scan.cost_of(run));
+    while (auto point = scan.next()) view.points.push_back(std::move(*point));
+    view.complete = true;
+    view.done = scan.done();
+    view.how = scan.how();
+    return view;
+}
+
 struct LiveCosts::Body {
     std::function<void()> ready;
     mutable std::mutex mutex;

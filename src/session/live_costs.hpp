@@ -9,6 +9,10 @@
 
 namespace steplab {
 
+/// What accuracy costs on the scene of these runs, the leading one first, and the runs themselves: all of it at once,
+/// which takes some seconds. Throws UsageError, Interrupted.
+CostsView costs_of(const std::vector<RunDescription>& runs);
+
 /// Scans what accuracy costs on the scene of a session, on a thread of its own and as far as the runs leave it time.
 class LiveCosts {
 public:

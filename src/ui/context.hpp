@@ -104,12 +104,14 @@ struct InterfaceState {
     bool steering = false;                      ///< the keyboard goes from widget to widget
     std::string steered;                        ///< the panel that it is in
     std::string focused;                        ///< the widget that it is at
+    bool to_reveal = false;                     ///< its panel was entered, and is scrolled to where the widget is
     std::optional<FilmStatus> film;             ///< that is taken
     ViewChoices remembered;                     ///< with which a window opens that is told nothing else
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     render::Following following = render::Following::nothing;
-    bool oscillation = false;  ///< the fastest one of the scene as it is now is drawn
-    bool trail = false;        ///< of the selected particle, and of those selected meanwhile, is drawn
+    bool oscillation = false;                          ///< the fastest one of the scene as it is now is drawn
+    std::optional<std::uint64_t> oscillation_of = {};  ///< the run of which a card has put it on
+    bool trail = false;  ///< of the selected particle, and of those selected meanwhile, is drawn
     bool help_open = false;
     ScenesPage scenes;
     LessonsState lessons;

@@ -88,6 +88,13 @@ void set_style(render::Style& style, const RunView& view, const Selection& selec
     style.pixel_scale = static_cast<double>(display.scale);
 }
 
+/// What a card has put on is of the run that it explains.
+void end_oscillation_of_another_run(InterfaceState& state, std::uint64_t run) {
+    if (!state.oscillation_of || *state.oscillation_of == run) return;
+    state.oscillation_of.reset();
+    state.oscillation = false;
+}
+
 /// By choice, or where a card explains a blow-up.
 bool shows_oscillation(const SessionView& view, const InterfaceState& state) {
     const bool explained = view.blow_up && view.leading.divergence;
@@ -208,6 +215,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
         use_pointer(context);
     }
     set_style(stage.style, view.leading, body.state.selection, body.display);
+    end_oscillation_of_another_run(body.state, view.leading.run);
     stage.style.oscillation =
         shows_oscillation(view, body.state) || (purpose == Purpose::still && stage.style.oscillation);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace steplab::ui {
 namespace {
@@ -32,6 +33,7 @@ void steer_on(const Context& context) {
     state.steering = true;
     state.steered = *next;
     state.focused.clear();
+    state.to_reveal = true;
     ImGui::ClearActiveID();  // of an entry that was being typed
     ImGui::SetWindowFocus(*next);
     ImGuiContext& imgui = *ImGui::GetCurrentContext();
@@ -63,6 +65,7 @@ void draw_steering(const Context& context) {
     ImGuiWindow* const window = imgui.NavWindow;
     if (!context.state.steering || !window || imgui.NavId == 0) return;
     ImRect place = ImGui::WindowRectRelToAbs(window, window->NavRectRel[imgui.NavLayer]);
+    if (!imgui.NavInitRequest && std::exchange(context.state.to_reveal, false)) ImGui::ScrollToRect(window, place);
     place.Expand(context.px(2));
     ImGui::GetForegroundDrawList()->AddRect(place.Min, place.Max, colour::accent, context.px(5), 0, context.px(2));
 }

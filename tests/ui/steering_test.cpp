@@ -172,5 +172,27 @@ TEST(steering, frames_the_widget_also_where_its_panel_is_scrolled) {
     }
 }
 
+// The widget at which the keyboard enters a panel was out of view where the panel had been scrolled.
+TEST(steering, scrolls_a_panel_to_where_it_enters_it) {
+    Desk desk(describe("mesh"), {1280, 600, 1});
+    for (int i = 0; i < 3; ++i) desk.frame();
+    const auto enter = [&] {
+        for (int panel = 0; panel < 8; ++panel) {
+            desk.key(Key::f6);
+            desk.frame();
+            desk.frame();
+            if (desk.interface.focused() == "model") return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(enter());
+    const WidgetRect before = desk.widget("model");
+    for (int i = 0; i < 3; ++i) desk.key(Key::page_down);
+    desk.frame();
+    ASSERT_LT(desk.widget("model").top, before.top - 100) << "out of view";
+    ASSERT_TRUE(enter());
+    EXPECT_GE(desk.widget("model").top, desk.widget("play").bottom);
+}
+
 }  // namespace
 }  // namespace steplab::ui

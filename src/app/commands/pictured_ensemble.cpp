@@ -14,10 +14,16 @@ PicturedEnsemble::PicturedEnsemble(const RunDescription& description, std::size_
     go_to(0);
 }
 
+void PicturedEnsemble::sample(const Simulation& run) {
+    go_to(run.step());
+    spread_.offer(run, live_ensemble_);
+}
+
 void PicturedEnsemble::put_into(RunView& view) {
     go_to(view.frame.step);
     view.ensemble = ensemble_;
     view.ensemble_spread = live_ensemble_.observe(view.frame);
+    spread_.put_into(view.spread);
 }
 
 void PicturedEnsemble::go_to(std::uint64_t step) {

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "session/compared.hpp"
+#include "session/live_costs.hpp"
 #include "session/run_view.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +46,9 @@ PicturedRuns::PicturedRuns(const std::vector<RunDescription>& runs, const RunEnd
     const ParticleList& others = request_.style.selected_too;
     tracked_ = tracked_particles(selected, {others.begin(), others.end()});
     if (request_.panel) samples_ = samples_of(leading, end.step);
+    if (ensemble_ && !tracked_.empty()) ensemble_->follow(tracked_.front());
+    if (std::any_of(request_.plots.begin(), request_.plots.end(), ui::shows_costs))
+        request_.costs = std::make_shared<const CostsView>(costs_of(runs));
     if (request_.panel && runs.size() > 1) {
         for (const Run& run : runs_) errors_.add(run.simulation);
     }
@@ -99,6 +103,7 @@ void PicturedRuns::take_samples(std::uint64_t step) {
         if (is_over()) break;
         follow_leading();
         request_.past.push_back(moment());
+        if (ensemble_) ensemble_->sample(leading.simulation);
     }
 }
 
@@ -128,6 +133,7 @@ void PicturedRuns::look() {
     observe(leading, tracked_, request_.view);
     if (request_.style.forces) leading.forces(request_.view.frame.forces);
     request_.view.frame.magnified = request_.style.displacements;
+    if (ensemble_ && request_.panel) ensemble_->sample(leading);
     if (ensemble_) ensemble_->put_into(request_.view);
     request_.followers.resize(runs_.size() - 1);
     for (std::size_t i = 1; i < runs_.size(); ++i) {

@@ -35,6 +35,7 @@ struct PictureRequest {
     std::vector<PastMoment> past = {};                 ///< earlier ones, for the plots
     std::vector<RunView> followers = {};               ///< the runs beside it, at the same time
     std::optional<SessionErrors> errors = {};          ///< of all of them, for the panel
+    std::shared_ptr<const CostsView> costs = {};       ///< what accuracy costs, for the plots of that
     std::shared_ptr<const PresentLimit> present = {};  ///< of the leading run, for the panel
     std::shared_ptr<const BlowUp> blow_up = {};        ///< if that diverged
     std::optional<PlaybackView> playback = {};         ///< if it is a frame of a file

@@ -37,6 +37,7 @@ public:
                 .followers = request.followers,
                 .line = request.line,
                 .errors = request.errors,
+                .costs = request.costs,
                 .present = request.present,
                 .blow_up = request.blow_up,
                 .playback = request.playback},

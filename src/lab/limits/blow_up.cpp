@@ -77,6 +77,8 @@ struct BlowUpStudy::Body {
     PresentLimits limits;
     BlowUp found;
     std::optional<ReplayedRun::Moment> good;  ///< the last one before the energy left its range
+    std::uint64_t good_evaluations = 0;       ///< up to it
+    double good_time = 0;                     ///< of it
     std::optional<RemedyTrial> trial;
     std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
     std::vector<RunDescription> last_resorts;  ///< methods of other kinds, if none of these works
@@ -136,6 +138,8 @@ struct BlowUpStudy::Body {
             measure_up_to(end, stride);
         }
         replay.go_back_to(*good);
+        good_evaluations = run().evaluations();
+        good_time = run().time();
     }
 
     /// The energy is in the range of its baseline.
@@ -201,12 +205,20 @@ struct BlowUpStudy::Body {
         }
     }
 
+    /// Force evaluations per simulated second of the method and dt with which the run diverged; before it may have had
+    /// others. Where a method decides itself how many it takes, those since the last good moment.
+    double cost() const {
+        const RunDescription& now = run().description();
+        const MethodInfo& info = method(now.method).info;
+        const double time = std::abs(run().time() - good_time);
+        if ((info.adaptive || info.implicit) && time > 0)
+            return static_cast<double>(run().evaluations() - good_evaluations) / time;
+        return evaluations_per_step(info, now.method_parameters) / std::abs(now.dt);
+    }
+
     void prepare_trials() {
         const RunDescription& now = run().description();
-        const double cost =
-            run().step() > 0 ? static_cast<double>(run().evaluations()) / std::abs(run().time())
-                             : evaluations_per_step(method(now.method).info, now.method_parameters) / std::abs(now.dt);
-        trial.emplace(good->snapshot, now, std::abs(run().time()), cost);
+        trial.emplace(good->snapshot, now, std::abs(run().time()), cost());
         if (found.divergence.stop) return;
         // how far the scene stiffens is for the trials to find
         const double omega =

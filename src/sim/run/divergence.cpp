@@ -21,7 +21,7 @@ double squared_speed(const State<double>& state, std::size_t i) {
 }
 
 std::string reason(const Divergence& divergence, const RunDescription& held) {
-    const std::string dt = "dt = " + significant(held.dt, 4);
+    const std::string dt = fmt::format("dt = {} s", significant(held.dt, 4));
     if (method(held.method).info.curiosity)
         return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
     if (chooses_its_steps(held))
@@ -30,10 +30,10 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
     if (*divergence.limit == 0)
         return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);
     if (std::abs(held.dt) >= *divergence.limit) {
-        return fmt::format("{} is beyond the stability limit {} of {} on this scene", dt,
+        return fmt::format("{} is beyond the stability limit {} s of {} on this scene", dt,
                            significant(*divergence.limit, 4), held.method);
     }
-    return fmt::format("{} is below the stability limit {} of {} at rest, but the motion is too violent for it", dt,
+    return fmt::format("{} is below the stability limit {} s of {} at rest, but the motion is too violent for it", dt,
                        significant(*divergence.limit, 4), held.method);
 }
 
@@ -55,7 +55,7 @@ std::string stop_reason(const OwnStop& stop, const RunDescription& held) {
                                  : "solves its equations";
     const std::string shortest =
         stop.step > 0 ? fmt::format("not even one of {} s", typed(stop.step, 3)) : "however short";
-    return fmt::format("at t = {} no step of {} {}, {}{}", significant(stop.time, 8), held.method, what, shortest,
+    return fmt::format("at t = {} s no step of {} {}, {}{}", significant(stop.time, 8), held.method, what, shortest,
                        encounter(stop));
 }
 
@@ -86,7 +86,7 @@ void explain(Divergence& divergence, const RunDescription& held, const std::opti
              double energy) {
     divergence.dt = held.dt;
     const std::string last =
-        fmt::format("step {} (t = {}) was the last valid one", divergence.step, significant(divergence.time, 6));
+        fmt::format("step {} (t = {} s) was the last valid one", divergence.step, significant(divergence.time, 6));
     if (!is_held(energy, held.precision)) {
         divergence.message = fmt::format("The run {}: {}; the energy there is more than {} holds, whatever dt is.",
                                          divergence.stop ? "stopped" : "diverged", last, id(held.precision));

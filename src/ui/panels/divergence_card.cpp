@@ -64,6 +64,7 @@ void show_beginning(const Context& context, const BlowUp& blow_up) {
     context.events.send(event::Play{.on = false});
     context.events.send(event::Seek{blow_up.step - std::min(blow_up.step, steps_before)});
     context.state.oscillation = true;
+    context.state.oscillation_of = context.view.run;
 }
 
 /// Beside it may be a run that goes on.
@@ -78,15 +79,23 @@ void draw_other_run(const Context& context) {
     tooltip(context, "that run goes on; this one stays beside it");
 }
 
+/// The next button goes beside the one before, where it has room.
+void stay_in_line(const char* text) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(text).x + 2 * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
 void draw_ways_on(const Context& context) {
     const auto& blow_up = context.session.blow_up;
     if (blow_up) {
         if (text_button(context, "divergence.beginning", "Show how it began")) show_beginning(context, *blow_up);
         tooltip(context, "goes to 20 steps before the energy rose; the arrows show the oscillation that grew");
-        ImGui::SameLine();
+        stay_in_line("Restart");
     }
     if (text_button(context, "remedy.restart", "Restart")) context.events.send(event::Restart{});
-    ImGui::SameLine();
+    stay_in_line("Read more");
     if (text_button(context, "divergence.page", "Read more"))
         context.request({.kind = Request::Kind::open_page, .text = "divergence.md"});
     tooltip(context, "opens docs/divergence.md: when a run counts as diverged, and why runs diverge");
@@ -101,6 +110,15 @@ ImVec2 anchor(const Context& context) {
 void draw_title(const Context& context, const char* text) {
     const WithFont font(context.theme.fonts().strong);
     ImGui::TextUnformatted(text);
+}
+
+/// "The run diverged: step 12 ..." below that title.
+std::string without_title(const std::string& message) {
+    const std::size_t end = message.find(": ");
+    if (end == std::string::npos) return message;
+    std::string rest = message.substr(end + 2);
+    if (rest.starts_with("step ")) rest.front() = 'S';
+    return rest;
 }
 
 void draw_doubt(const Context& context, const Doubt& doubt) {
@@ -128,7 +146,7 @@ void draw_divergence_card(const Context& context) {
     const Card card(context, "divergence", anchor(context), {1, 1}, card_width(context, 430), colour::bad);
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
     draw_title(context, divergence->stop ? "The run stopped" : "The run diverged");
-    explanation(context, divergence->message, colour::text);
+    explanation(context, without_title(divergence->message), colour::text);
     if (const auto& blow_up = context.session.blow_up) {
         ImGui::Dummy({0, context.px(4)});
         explanation(context, blow_up->why, colour::text);

@@ -1,4 +1,5 @@
 #include "core/number_text.hpp"
+#include "core/terms.hpp"
 #include "render/run_labels.hpp"
 #include "ui/panels/late_errors.hpp"
 #include "ui/panels/panels.hpp"
@@ -141,6 +142,9 @@ void draw_read_out(const Context& context) {
         ImFont* const font = font_of(context, lines[i]);
         list.AddText(font, font->FontSize, {corner.x + padding, corner.y + padding + places[i].y}, lines[i].ink,
                      lines[i].text.c_str(), nullptr, width);
+        const float top = corner.y + padding + places[i].y;
+        tooltip_in_scene(context, {corner.x, top, corner.x + widest + 2 * padding, top + places[i].height},
+                         explanations(lines[i].text));
     }
 }
 

@@ -1,4 +1,5 @@
 #include "core/number_text.hpp"
+#include "core/terms.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/step_verdict.hpp"
 #include "ui/widgets/format.hpp"
@@ -77,7 +78,7 @@ void draw_step_panel(const Context& context) {
     const StepVerdict verdict = shown_verdict(context);
     ParameterInfo info = dt_parameter;
     info.default_value = context.view.opening_dt;
-    const std::string help = parameter_help(info);
+    const std::string help = with_explanations(parameter_help(info), info.name);
     heading(context, "TIME STEP");
     slider_row(context, {
                             .widget = "dt",

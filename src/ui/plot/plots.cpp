@@ -268,6 +268,7 @@ void set_scale_across(Plot& plot, plot::Scale scale) {
 std::string_view why_unknown(PlotKind kind, const std::optional<PlaybackView>& playback) {
     if (!playback) return "";
     if (!playback->measured && !is_of_particles(kind)) return "not known: the file does not have a whole scene";
+    if (shows_costs(kind)) return "what accuracy costs is measured of runs, not of files";
     if (!playback->has_velocities && shows_velocities(kind)) return "not known: the file has no velocities";
     return "";
 }

@@ -7,8 +7,9 @@
 namespace steplab::ui {
 
 Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot, float width, ImU32 edge) {
+    const float margin = context.px(8);
     ImGui::SetNextWindowPos(anchor, ImGuiCond_Always, pivot);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(context.display.height)});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(context.display.height) - 2 * margin});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, context.px(1)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(16), context.px(14)});
@@ -18,6 +19,10 @@ Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    // what has no room above or below its anchor covers what lies there, rather than leave the window
+    const ImVec2 place = ImGui::GetWindowPos();
+    const float lowest = static_cast<float>(context.display.height) - margin - ImGui::GetWindowSize().y;
+    ImGui::SetWindowPos({place.x, std::max(margin, std::min(place.y, lowest))});
     context.mark(name,
                  {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowPos().x + ImGui::GetWindowSize().x,
                   ImGui::GetWindowPos().y + ImGui::GetWindowSize().y});

@@ -43,14 +43,28 @@ ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float g
     return {across, down};  // no side has room
 }
 
-void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text, Beside first) {
-    if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
+namespace {
+
+void show(const Context& context, const WidgetRect& item, std::string_view text, Beside first) {
+    if (text.empty() || ImGui::IsMouseDown(0)) return;
     const WithFont font(context.theme.fonts().small);
     const std::string lines = in_words(text, context.px(widest_text));
     const ImVec2 size = size_of(context, lines);
     const ImVec2 corner = place_beside(item, size, ImGui::GetIO().DisplaySize, context.px(6), first);
     draw(context, corner, lines);
     context.mark("tooltip", {corner.x, corner.y, corner.x + size.x, corner.y + size.y});
+}
+
+}  // namespace
+
+void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text, Beside first) {
+    if (ImGui::IsItemHovered()) show(context, item, text, first);
+}
+
+void tooltip_in_scene(const Context& context, const WidgetRect& place, std::string_view text) {
+    if (context.purpose != Purpose::use || ImGui::GetIO().WantCaptureMouse) return;
+    if (ImGui::IsMouseHoveringRect({place.left, place.top}, {place.right, place.bottom}, false))
+        show(context, place, text, Beside::below);
 }
 
 void tooltip(const Context& context, std::string_view text) {

@@ -33,6 +33,8 @@ void term_tooltip(const Context& context, std::string_view text, std::string_vie
 /// The same as tooltip() beside a larger place that the last item belongs to.
 void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text,
                     Beside first = Beside::below);
+/// The same beside a place of the scene, while the pointer is there and over no panel.
+void tooltip_in_scene(const Context& context, const WidgetRect& place, std::string_view text);
 /// The top left corner of a box that lies on the display and beside an item: below or above, right or left of it, the
 /// first of these with room. All lengths in pixels.
 ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float gap, Beside first);

@@ -242,6 +242,27 @@ TEST(BlowUp, in_the_first_step_has_remedies_with_a_cost) {
     }
 }
 
+// Before it diverged, the run had taken shorter steps and other methods.
+TEST(BlowUp, has_remedies_whose_cost_is_counted_by_the_steps_that_diverged) {
+    for (const char* const id : {"rk4", "velocity-verlet"}) {
+        const RunDescription begun = run_of("chain", "rk4", Precision::double_, 0.01);
+        const RunDescription wild = run_of("chain", id, Precision::double_, 2);
+        Simulation simulation(begun);
+        simulation.advance(800);
+        simulation.change(wild);
+        simulation.advance(100000);
+        ASSERT_TRUE(simulation.divergence());
+        const BlowUp found = studied(std::vector<SegmentBegin>{{0, begun}, {800, wild}}, *simulation.divergence());
+        bool same_method = false;
+        for (const TriedRemedy& tried : found.tried) {
+            if (!tried.works || tried.run.method != id) continue;
+            same_method = true;
+            EXPECT_NEAR(tried.cost, 2 / tried.run.dt, 0.1 * 2 / tried.run.dt) << id;  // a trial begins with one more
+        }
+        EXPECT_TRUE(same_method);
+    }
+}
+
 TEST(BlowUp, is_the_same_each_time) {
     const RunDescription run = run_of("chain", "rk4", Precision::double_, 1.6);
     const BlowUp one = blow_up_of(run), other = blow_up_of(run);

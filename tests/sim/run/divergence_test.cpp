@@ -138,7 +138,7 @@ TEST(Divergence, says_where_and_why_and_what_to_do) {
     const Divergence& divergence = *simulation.divergence();
     EXPECT_NEAR(*divergence.limit, 1.43377, 5e-6);
     EXPECT_EQ(divergence.dt, 1.6);
-    EXPECT_THAT(divergence.message, HasSubstr("dt = 1.6 is beyond the stability limit 1.434 of rk4"));
+    EXPECT_THAT(divergence.message, HasSubstr("dt = 1.6 s is beyond the stability limit 1.434 s of rk4"));
     EXPECT_THAT(divergence.message, HasSubstr("particle " + std::to_string(divergence.particle)));
     EXPECT_THAT(divergence.message, HasSubstr("step " + std::to_string(divergence.step)));
     RunDescription remedied = simulation.description();

@@ -25,7 +25,7 @@ RunView diverged(const std::string& method, double dt) {
 
 class Diverged : public testing::Test {
 protected:
-    Diverged() {
+    explicit Diverged(const Display& display = {1280, 1200, 1}) : desk(chain(), display) {
         desk.view = diverged("euler", 2.5);
         desk.interface.record(desk.view);
         desk.frame();
@@ -49,12 +49,41 @@ protected:
             return it.works && (it.run.method == desk.view.description.method) == keeps_method;
         });
     }
-    Desk desk{[] {
+    static RunDescription chain() {
         RunDescription description = describe("chain", "euler");
         description.dt = 2.5;
         return description;
-    }()};
+    }
+    Desk desk;
 };
+
+/// The same in a window of this size.
+struct DivergedIn : Diverged {
+    using Diverged::desk;
+    using Diverged::Diverged;
+    void TestBody() override {}
+};
+
+// Its title stood above the edge of a small window, and a button out of its own.
+TEST(Divergence, card_is_whole_in_small_windows_with_all_its_buttons) {
+    for (const Display display :
+         {Display{640, 480, 1}, {400, 300, 1}, {800, 600, 1.5f}, {1280, 800, 2}, {500, 900, 1}}) {
+        DivergedIn diverged(display);
+        Desk& desk = diverged.desk;
+        for (int i = 0; i < 3; ++i) desk.frame();
+        const WidgetRect card = desk.widget("divergence");
+        EXPECT_GE(card.left, 0);
+        EXPECT_GE(card.top, 0);
+        EXPECT_LE(card.right, static_cast<float>(display.width));
+        EXPECT_LE(card.bottom, static_cast<float>(display.height));
+        for (const char* const button : {"divergence.beginning", "remedy.restart", "divergence.page"}) {
+            const WidgetRect place = desk.widget(button);
+            EXPECT_GT(place.left, card.left) << button << " at " << display.width;
+            EXPECT_LT(place.right, card.right) << button << " at " << display.width;
+        }
+        EXPECT_LT(desk.widget("divergence.close").right, card.right);
+    }
+}
 
 TEST_F(Diverged, card_appears_with_its_remedies) {
     ASSERT_TRUE(desk.view.divergence);
@@ -88,6 +117,19 @@ TEST_F(Diverged, beginning_is_shown_with_the_oscillation_that_grew) {
     desk.click("oscillation");
     desk.frame();
     EXPECT_FALSE(desk.style.oscillation);
+}
+
+TEST_F(Diverged, arrows_of_its_card_end_with_the_run) {
+    desk.click("divergence.beginning");
+    RunView next = view_of(Simulation(describe("mesh")));
+    next.run = desk.view.run + 1;
+    desk.session.blow_up.reset();
+    desk.show(next);
+    EXPECT_FALSE(desk.style.oscillation);
+    desk.click("oscillation");
+    next.run += 1;
+    desk.show(next);
+    EXPECT_TRUE(desk.style.oscillation) << "a choice stays";
 }
 
 TEST_F(Diverged, card_offers_a_run_beside_that_goes_on) {

@@ -108,5 +108,32 @@ TEST(tooltip, of_a_term_explains_it) {
     EXPECT_GT(with_terms.bottom - with_terms.top, 2 * (without.bottom - without.top));
 }
 
+/// How high the tooltip is at a place; 0: there is none.
+float height_of_tooltip(Desk& desk, float x, float y) {
+    desk.move_to(x, y);
+    desk.frame();
+    if (!desk.has("tooltip")) return 0;
+    const WidgetRect tooltip = desk.widget("tooltip");
+    return tooltip.bottom - tooltip.top;
+}
+
+TEST(tooltip, of_the_read_out_and_of_dt_explains_their_words) {
+    Desk desk(describe("chain"));
+    desk.frame();
+    const float left = desk.widget("scene").left + 40, top = desk.widget("scene").top;
+    EXPECT_EQ(height_of_tooltip(desk, left, top + 35), 0) << "time and step";
+    float highest = 0;
+    for (float y = 40; y < 110; y += 2) highest = std::max(highest, height_of_tooltip(desk, left, top + y));
+    EXPECT_GT(highest, 30) << "energy error";
+    EXPECT_EQ(height_of_tooltip(desk, left + 500, top + 60), 0) << "beside it";
+    desk.point_at("snapshot");
+    desk.frame();
+    const WidgetRect one_line = desk.widget("tooltip");
+    desk.point_at("dt", 0.3f);
+    desk.frame();
+    const WidgetRect explained = desk.widget("tooltip");
+    EXPECT_GT(explained.bottom - explained.top, 3 * (one_line.bottom - one_line.top));
+}
+
 }  // namespace
 }  // namespace steplab::ui
