@@ -149,8 +149,8 @@ void draw_legend(const Context& context, const Plot& plot, const Area& frame,
     if (card.empty()) return;
     above += 1;
     const auto [known, is_first] = context.state.plots.legends.try_emplace(plot.name);
-    plot::Corner& corner = known->second;  // one that stands somewhere moves only where that is much better
-    corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(30));
+    plot::Corner& corner = known->second;  // one that stands somewhere moves only for more than a crest
+    corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(20));
     const WithFont with(font);
     draw_card(context, plot, card, plot::card_in(frame, corner, card.size.width, card.size.height, above));
 }
