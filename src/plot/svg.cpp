@@ -167,10 +167,12 @@ private:
         std::string text;
         for (const PlacedTick& tick : layout_.up) {
             text += line_between(frame.x, tick.pixel, frame.right(), tick.pixel, inks_.grid);
+            text += line_between(frame.x - tick_length, tick.pixel, frame.x, tick.pixel, inks_.quiet);
             text += text_at(tick.place.right(), tick.pixel + 4, "end", inks_.text, tick.label);
         }
         for (const PlacedTick& tick : layout_.across) {
             text += line_between(tick.pixel, frame.y, tick.pixel, frame.bottom(), inks_.grid);
+            text += line_between(tick.pixel, frame.bottom(), tick.pixel, frame.bottom() + tick_length, inks_.quiet);
             text +=
                 text_at(tick.place.x + 0.5f * tick.place.width, frame.bottom() + 17, "middle", inks_.text, tick.label);
         }

@@ -24,20 +24,25 @@ namespace {
 using plot::Curve;
 using plot::Plot;
 
-void draw_ticks(const plot::Layout& layout) {
+/// Grid lines, the box around them, ticks outside it and their labels.
+void draw_axes(const Context& context, const plot::Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
+    const float length = context.px(plot::tick_length);
     const auto draw_label = [](const plot::PlacedTick& tick) {
         text_left(tick.place.x, tick.place.y + 0.5f * tick.place.height, tick.label, colour::text_dim);
     };
     for (const plot::PlacedTick& tick : layout.up) {
         list.AddLine({frame.x, tick.pixel}, {frame.right(), tick.pixel}, colour::line);
+        list.AddLine({frame.x - length, tick.pixel}, {frame.x, tick.pixel}, colour::text_faint);
         draw_label(tick);
     }
     for (const plot::PlacedTick& tick : layout.across) {
         list.AddLine({tick.pixel, frame.y}, {tick.pixel, frame.bottom()}, colour::line);
+        list.AddLine({tick.pixel, frame.bottom()}, {tick.pixel, frame.bottom() + length}, colour::text_faint);
         draw_label(tick);
     }
+    list.AddRect({frame.x, frame.y}, {frame.right() + 1, frame.bottom() + 1}, colour::text_faint);
 }
 
 void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, const std::vector<plot::Point>& points,
@@ -213,7 +218,7 @@ void draw_content(const Context& context, const Plot& plot, const Area& area, co
                   bool title_in_frame) {
     {
         const WithFont font(context.theme.fonts().small);
-        draw_ticks(layout);
+        draw_axes(context, layout);
     }
     draw_axis_name(context, plot, area, layout.frame);
     const Lines lines = lines_of(plot, layout);
