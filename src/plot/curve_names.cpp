@@ -6,10 +6,6 @@
 namespace steplab::plot {
 namespace {
 
-bool meet(const Box& a, const Box& b) {
-    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
 bool within(const Box& box, const Box& frame) {
     return box.x >= frame.x && box.right() <= frame.right() && box.y >= frame.y && box.bottom() <= frame.bottom();
 }
@@ -63,7 +59,7 @@ private:
 
     double cost(const Box& box) const {
         double sum = within(box, layout_.frame) ? 0 : 1000;
-        for (const Box& other : taken_) sum += meet(box, other) ? 200 : 0;
+        for (const Box& other : taken_) sum += box.meets(other) ? 200 : 0;
         for (const auto& curve : points_)
             sum += static_cast<double>(
                 std::count_if(curve.begin(), curve.end(), [&](Point p) { return box.contains(p.x, p.y); }));

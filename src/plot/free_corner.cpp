@@ -19,19 +19,58 @@ void cut(float start, float way, float low, float high, float& from, float& to) 
     to = std::min(to, std::max(a, b));
 }
 
-/// The highest point that is higher than its neighbours, or its one neighbour: what a plot is looked at for.
+/// True if a line is higher there than at its neighbours, or its one neighbour.
+bool is_peak(std::span<const Point> line, std::size_t i) {
+    return (i == 0 || line[i].y < line[i - 1].y) && (i + 1 == line.size() || line[i].y < line[i + 1].y);
+}
+
+/// The highest peak that the frame shows: what a plot is looked at for. None of an oscillation, whose peaks are equally
+/// high: now one of them, now another would be the highest by rounding.
 std::optional<Point> highest_peak(std::span<const std::vector<Point>> lines, const Box& frame) {
+    constexpr float equal = 3;  // pixels: where samples fall on a crest differs by one or two
     std::optional<Point> best;
+    float next = frame.bottom();  // height of the second
     for (const std::vector<Point>& line : lines) {
         for (std::size_t i = 0; line.size() > 1 && i < line.size(); ++i) {
-            const bool peak =
-                (i == 0 || line[i].y < line[i - 1].y) && (i + 1 == line.size() || line[i].y < line[i + 1].y);
-            const bool seen = line[i].x >= frame.x && line[i].x <= frame.right() && line[i].y >= frame.y;
-            if (peak && seen && (!best || line[i].y < best->y)) best = line[i];
+            const Point point = line[i];
+            const bool seen = point.x >= frame.x && point.x <= frame.right() && point.y >= frame.y;
+            if (!seen || !is_peak(line, i)) continue;
+            const bool higher = !best || point.y < best->y;
+            if (best) next = std::min(next, std::max(point.y, best->y));
+            if (higher) best = point;
         }
     }
-    return best;
+    return best && next > best->y + equal ? best : std::nullopt;
 }
+
+/// What a card in a corner covers.
+class Covered {
+public:
+    Covered(std::span<const std::vector<Point>> lines, const Box& frame, const Box& card, float above)
+        : lines_(lines), frame_(frame), card_(card), above_(above), peak_(highest_peak(lines, frame)) {}
+
+    float all(Corner corner) const {
+        const Box box = box_in(corner);
+        float sum = peak_ && box.contains(peak_->x, peak_->y) ? 2 * (card_.width + card_.height) : 0;
+        for (const std::vector<Point>& line : lines_) sum += length_within(line, box);
+        return sum;
+    }
+    /// Of the last tenth of each line: where a run is now.
+    float newest(Corner corner) const {
+        float sum = 0;
+        for (const std::vector<Point>& line : lines_)
+            sum += length_within(std::span(line).last((line.size() + 9) / 10), box_in(corner));
+        return sum;
+    }
+
+private:
+    Box box_in(Corner corner) const { return card_in(frame_, corner, card_.width, card_.height, above_); }
+
+    std::span<const std::vector<Point>> lines_;
+    Box frame_, card_;
+    float above_;
+    std::optional<Point> peak_;
+};
 
 }  // namespace
 
@@ -57,25 +96,20 @@ float length_within(std::span<const Point> line, const Box& box) {
 
 Corner free_corner(std::span<const std::vector<Point>> lines, const Box& frame, const Box& card, float above,
                    Corner present, float worth) {
-    const std::optional<Point> peak = highest_peak(lines, frame);
-    const auto covered = [&](Corner corner) {
-        const Box box = card_in(frame, corner, card.width, card.height, above);
-        float sum = peak && box.contains(peak->x, peak->y) ? 2 * (card.width + card.height) : 0;
-        for (const std::vector<Point>& line : lines) sum += length_within(line, box);
-        return sum;
-    };
+    const Covered covered(lines, frame, card, above);
     constexpr std::array corners{Corner::top_right, Corner::top_left, Corner::bottom_right, Corner::bottom_left};
-    const float now = covered(present);
+    const float now = covered.all(present);
     Corner best = present;
     float least = now;
     for (const Corner corner : corners) {
-        const float sum = covered(corner);
+        const float sum = covered.all(corner);
         if (sum < least) {
             best = corner;
             least = sum;
         }
     }
-    return now > 2 * least + worth ? best : present;
+    const bool hides_the_newest = least == 0 && covered.newest(present) > 0;
+    return hides_the_newest || now > 2 * least + worth ? best : present;
 }
 
 }  // namespace steplab::plot

@@ -15,6 +15,9 @@ struct Lettering {
     float unit = 1;  ///< pixels of a unit in which margins are stated
 };
 
+/// How far ticks stand out of the frame, into the gap between it and the labels [units of the layout].
+inline constexpr float tick_length = 3;
+
 /// A tick of a plot and its label.
 struct PlacedTick {
     float pixel = 0;    ///< of the grid line

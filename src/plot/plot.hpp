@@ -105,6 +105,9 @@ struct Box {
     float bottom() const { return y + height; }
     bool empty() const { return width <= 0 || height <= 0; }
     bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
+    bool meets(const Box& other) const {
+        return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+    }
 };
 
 /// The axes of a plot in a frame of pixels.

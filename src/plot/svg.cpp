@@ -4,6 +4,7 @@
 #include "plot/curve_names.hpp"
 #include "plot/free_corner.hpp"
 #include "plot/layout.hpp"
+#include "plot/moment_labels.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@
 namespace steplab::plot {
 namespace {
 
-constexpr float font_height = 12;
+constexpr float font_height = 12, small_height = 10;
 
 /// Of runs: dark enough on white, and told apart by those who see no red or green (Okabe, Ito 2008).
 Inks inks_on_white() {
@@ -27,12 +28,14 @@ Inks inks_on_white() {
             .curves = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"}};
 }
 
-float width_of(const std::string& text) {
+float width_of(const std::string& text, float height = font_height) {
     const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
-    return 0.58f * font_height * static_cast<float>(std::count_if(text.begin(), text.end(), begins));
+    return 0.58f * height * static_cast<float>(std::count_if(text.begin(), text.end(), begins));
 }
 
-Lettering lettering() { return {width_of, font_height, 1}; }
+Lettering lettering(float height = font_height) {
+    return {[height](const std::string& text) { return width_of(text, height); }, height, 1};
+}
 
 std::string text_at(float x, float y, std::string_view anchor, std::string_view colour, std::string_view text,
                     std::string_view more = "") {
@@ -63,7 +66,8 @@ public:
           inks_(inks),
           width_(width),
           height_(height),
-          layout_(layout_of(plot, {0, 0, width, height - below}, lettering())) {}
+          layout_(layout_of(plot, {0, 0, width, height - below}, lettering())),
+          moments_(moment_lines(plot, layout_, lettering(small_height))) {}
 
     /// All but texts about the curves, with the end left open.
     std::string content() const {
@@ -106,14 +110,18 @@ public:
 
     std::string names() const {
         std::string text;
-        const std::string halo = fmt::format(
-            " stroke=\"{}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"", inks_.paper);
         for (const CurveName& name : curve_names(plot_, layout_, lettering()))
-            text += text_at(name.place.x + 2, name.place.bottom() - 3, "start", ink_of(name.colour), name.text, halo);
+            text += text_at(name.place.x + 2, name.place.bottom() - 3, "start", ink_of(name.colour), name.text, halo());
         return text;
     }
 
 private:
+    /// Sets a text off from the lines that it lies over.
+    std::string halo() const {
+        return fmt::format(" stroke=\"{}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                           inks_.paper);
+    }
+
     Box legend_card() const {
         Box card{.width = 0, .height = 2};
         const auto add = [&](const std::string& name) {
@@ -126,7 +134,7 @@ private:
             lines.push_back(decimated(curve.x, curve.y, layout_.axes));
         }
         for (const Band& band : plot_.bands) add(band.name);
-        const float above = plot_.moments.empty() ? 2 : 16;  // their texts
+        const float above = 2 + height_of_labels(moments_, layout_.frame);
         const Box frame{layout_.frame.x + 3, layout_.frame.y + 2, layout_.frame.width - 6, layout_.frame.height - 3};
         const Corner corner = free_corner(lines, frame, card, above, Corner::top_right, 0);
         return card_in(frame, corner, card.width, card.height, above);
@@ -159,10 +167,12 @@ private:
         std::string text;
         for (const PlacedTick& tick : layout_.up) {
             text += line_between(frame.x, tick.pixel, frame.right(), tick.pixel, inks_.grid);
+            text += line_between(frame.x - tick_length, tick.pixel, frame.x, tick.pixel, inks_.quiet);
             text += text_at(tick.place.right(), tick.pixel + 4, "end", inks_.text, tick.label);
         }
         for (const PlacedTick& tick : layout_.across) {
             text += line_between(tick.pixel, frame.y, tick.pixel, frame.bottom(), inks_.grid);
+            text += line_between(tick.pixel, frame.bottom(), tick.pixel, frame.bottom() + tick_length, inks_.quiet);
             text +=
                 text_at(tick.place.x + 0.5f * tick.place.width, frame.bottom() + 17, "middle", inks_.text, tick.label);
         }
@@ -209,14 +219,12 @@ private:
     std::string moments() const {
         std::string text;
         const Box& frame = layout_.frame;
-        float free_from = frame.x;
-        for (const Moment& moment : plot_.moments) {
-            const float x = layout_.axes.across.pixel(moment.x);
-            if (x < frame.x || x > frame.right()) continue;
-            text += line_between(x, frame.y, x, frame.bottom(), inks_.quiet);
-            if (x < free_from) continue;
-            text += text_at(x + 3, frame.bottom() - 4, "start", inks_.dim, moment.text, " font-size=\"10\"");
-            free_from = x + 6 + width_of(moment.text);
+        for (const MomentLine& line : moments_)
+            text += line_between(line.pixel, frame.y, line.pixel, frame.bottom(), inks_.quiet);
+        for (const auto& [moment, pixel, label] : moments_) {
+            if (label.empty()) continue;
+            text += text_at(label.x + 3, label.bottom() - 2, "start", inks_.dim, moment->text,
+                            fmt::format(" font-size=\"{}\"{}", small_height, halo()));
         }
         return text;
     }
@@ -244,6 +252,7 @@ private:
     const Inks& inks_;
     float width_, height_;
     Layout layout_;
+    std::vector<MomentLine> moments_;
 };
 
 /// Powers of ten as in the texts of a page.

@@ -19,7 +19,7 @@ constexpr double least_spacing[] = {54, 32, 54};  // of ticks along x, y, z
 constexpr double vanished_length = 50;
 constexpr double full_length = 120;
 
-/// One axis: an edge of the box and the direction out of the box, where ticks and numbers are.
+/// One axis: an edge of the box and a direction out of the box, to the side where ticks and numbers are.
 struct Edge {
     int axis;  // 0 x, 1 y, 2 z
     Vec3 start;
@@ -50,28 +50,33 @@ Edge upright_edge(const Bounds& box, const Projection& projection) {
     return edge;
 }
 
-std::array<Edge, 3> facing_edges(const Bounds& box, const Projection& projection) {
+/// The edges of the floor that are lowest in the picture, so that nothing of the box is beyond them: seen from below
+/// they are the far ones.
+std::array<Edge, 3> outer_edges(const Bounds& box, const Projection& projection) {
+    const bool from_above = projection.eye().y >= box.low.y;
     const bool from_right = projection.eye().x >= box.centre().x;
     const bool from_front = projection.eye().z >= box.centre().z;
-    const double x = from_right ? box.high.x : box.low.x;
-    const double z = from_front ? box.high.z : box.low.z;
+    const bool to_right = from_right == from_above, to_front = from_front == from_above;
+    const double x = to_right ? box.high.x : box.low.x;
+    const double z = to_front ? box.high.z : box.low.z;
     const double y = box.low.y;
-    return {{{0, {box.low.x, y, z}, {box.high.x, y, z}, {0, 0, from_front ? 1.0 : -1.0}},
+    constexpr double down = -1e-3;  // so small that it decides only where the floor is seen edge-on
+    return {{{0, {box.low.x, y, z}, {box.high.x, y, z}, {0, down, to_front ? 1.0 : -1.0}},
              upright_edge(box, projection),
-             {2, {x, y, box.low.z}, {x, y, box.high.z}, {from_right ? 1.0 : -1.0, 0, 0}}}};
+             {2, {x, y, box.low.z}, {x, y, box.high.z}, {to_right ? 1.0 : -1.0, down, 0}}}};
 }
 
-/// The point moved outward by a distance in the picture.
-std::optional<PixelPoint> beside(const Edge& edge, Vec3 point, const Projection& projection, double distance) {
-    const double depth = projection.depth(point);
-    const auto on_edge = projection.pixel(point);
-    if (!on_edge) return std::nullopt;
-    const auto off = projection.pixel(point + (1 / projection.pixels_per_unit(depth)) * edge.outward);
-    if (!off) return std::nullopt;
-    const double dx = off->x - on_edge->x;
-    const double dy = off->y - on_edge->y;
-    const double norm = std::max(std::hypot(dx, dy), 0.2);
-    return PixelPoint{on_edge->x + distance * dx / norm, on_edge->y + distance * dy / norm};
+/// The direction of ticks: parallel to the picture and across the edge, so that they are as long in every view.
+Vec3 tick_direction(const Edge& edge, const Projection& projection) {
+    // Of the plane through the eye and the edge, which divides space into what is seen on either side of the edge.
+    const Vec3 normal = cross(edge.start - projection.eye(), edge.end - projection.eye());
+    const Vec3 across = normal - dot(normal, projection.forward()) * projection.forward();
+    return (dot(normal, edge.outward) > 0 ? 1 : -1) / length(across) * across;
+}
+
+/// The point moved in a direction parallel to the picture, by pixels.
+Vec3 moved(Vec3 point, Vec3 direction, const Projection& projection, double pixels) {
+    return point + pixels / projection.pixels_per_unit(projection.depth(point)) * direction;
 }
 
 /// The step of the grid, or a larger nice one that leaves room for the numbers.
@@ -85,16 +90,15 @@ double tick_step(double step, double pixels_per_step, double least) {
     return step;
 }
 
-void add_ticks(Axes& axes, const Edge& edge, double step, double strength, const Projection& projection,
+void add_ticks(Axes& axes, const Edge& edge, Vec3 direction, double step, double strength, const Projection& projection,
                double pixel_scale) {
     const double low = component(edge.start, edge.axis);
     const double high = component(edge.end, edge.axis);
     for (const double value : linear_ticks(low, high, step)) {
         const Vec3 point = with_component(edge.start, edge.axis, value);
-        const auto number = beside(edge, point, projection, number_distance * pixel_scale);
+        const auto number = projection.pixel(moved(point, direction, projection, number_distance * pixel_scale));
         if (!number) continue;
-        const double unit = 1 / projection.pixels_per_unit(projection.depth(point));
-        axes.lines.push_back({point, point + tick_length * pixel_scale * unit * edge.outward, strength});
+        axes.lines.push_back({point, moved(point, direction, projection, tick_length * pixel_scale), strength});
         axes.labels.push_back({tick_text(value, step, std::max(std::abs(low), std::abs(high))), *number, strength});
     }
 }
@@ -113,8 +117,10 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
     // A single number shows no scale.
     if (linear_ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step).size() < 2) return;
     axes.lines.push_back({edge.start, edge.end, strength});
-    add_ticks(axes, edge, step, strength, projection, pixel_scale);
-    const auto title = beside(edge, 0.5 * (edge.start + edge.end), projection, title_distance * pixel_scale);
+    const Vec3 direction = tick_direction(edge, projection);
+    add_ticks(axes, edge, direction, step, strength, projection, pixel_scale);
+    const Vec3 middle = 0.5 * (edge.start + edge.end);
+    const auto title = projection.pixel(moved(middle, direction, projection, title_distance * pixel_scale));
     if (title) axes.labels.push_back({titles[edge.axis], *title, strength});
 }
 
@@ -122,7 +128,7 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
 
 Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scale) {
     Axes axes;
-    for (const Edge& edge : facing_edges(box.bounds, projection)) {
+    for (const Edge& edge : outer_edges(box.bounds, projection)) {
         add_axis(axes, edge, box.step, projection, pixel_scale);
     }
     return axes;

@@ -23,7 +23,7 @@ struct AxisLabel {
     double strength = 1;
 };
 
-/// Axes along three edges of a box, on the sides that face the camera, with ticks, numbers and titles.
+/// Axes along three outer edges of a box as it is seen, two of them of its floor, with ticks and texts outside.
 struct Axes {
     std::vector<AxisLine> lines;
     std::vector<AxisLabel> labels;

@@ -24,6 +24,14 @@ Rgb mixed(Rgb a, Rgb b, double part) {
     return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
+/// The colour map at 0 .. 1.
+Rgb viridis(double part) {
+    constexpr int last = static_cast<int>(viridis_stops.size()) - 1;
+    const double place = part * last;
+    const auto lower = static_cast<std::size_t>(clamped_floor(place, 0, last - 1));
+    return mixed(viridis_stops[lower], viridis_stops[lower + 1], place - static_cast<double>(lower));
+}
+
 /// Length of a vector between points that are drawable().
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 
@@ -86,16 +94,14 @@ ColourScale scale_of(const ParticleValues& column) {
 
 }  // namespace
 
-Rgb viridis(double part) {
-    constexpr int last = static_cast<int>(viridis_stops.size()) - 1;
-    const double place = part > 0 ? std::min(part, 1.0) * last : 0;  // what is no number has the colour of 0
-    const auto lower = static_cast<std::size_t>(clamped_floor(place, 0, last - 1));
-    return mixed(viridis_stops[lower], viridis_stops[lower + 1], place - static_cast<double>(lower));
+Rgb value_colour(double part, const Palette& palette) {
+    const double inside = part > 0 ? std::min(part, 1.0) : 0;  // what is no number has the colour of 0
+    return viridis(std::lerp(palette.values.low, palette.values.high, inside));
 }
 
 Rgb ColourScale::colour(double value, const Palette& palette) const {
-    if (column) return viridis(part_between(minimum, maximum, value));
-    if (colouring != Colouring::strain) return viridis(value / maximum);
+    if (column) return value_colour(part_between(minimum, maximum, value), palette);
+    if (colouring != Colouring::strain) return value_colour(value / maximum, palette);
     const double quotient = value / maximum;
     const double part = std::isnan(quotient) ? 0 : std::clamp(quotient, -1.0, 1.0);
     return mixed(palette.spring, part < 0 ? palette.compressed : palette.stretched, std::abs(part));

@@ -11,9 +11,10 @@
 
 namespace steplab::render {
 
-/// The viridis colour map, with evenly increasing lightness and readable without colour vision: 0 dark blue, 1 yellow.
-/// Values outside 0 .. 1 have the colour of the nearest end.
-Rgb viridis(double part);
+/// The scale of values: what stands out from the background of the viridis colour map, with evenly increasing lightness
+/// and readable without colour vision. On dark it goes from blue to yellow, on light from dark violet to green. Parts
+/// outside 0 .. 1 have the colour of the nearest end.
+Rgb value_colour(double part, const Palette& palette);
 
 /// The colour scale of a colouring, as in the legend.
 struct ColourScale {

@@ -7,7 +7,8 @@
 namespace steplab::render {
 namespace {
 
-// Blue against orange, red only with a shape of its own: readable with every kind of colour blindness.
+// Blue against orange, red only with a shape of its own: readable with every kind of colour blindness. `values` is what
+// has a contrast of 3 or more (WCAG 2.1, graphics) on all of the background.
 constexpr Palette dark{.top = rgb(0x161b22),
                        .bottom = rgb(0x0d1117),
                        .grid = rgb(0x8b98a9),
@@ -19,6 +20,7 @@ constexpr Palette dark{.top = rgb(0x161b22),
                        .roles = {rgb(0x4c9bf5), rgb(0x828c99), rgb(0xf5b83d), rgb(0xf0645a)},
                        .axes = {rgb(0xe8736c), rgb(0x5fbf77), rgb(0x5c9ce6)},
                        .runs = {rgb(0x4ea1ff), rgb(0xf0994a), rgb(0x54c68a), rgb(0xd98be0)},
+                       .values = {0.36, 1},
                        .compressed = rgb(0x3d8bff),
                        .stretched = rgb(0xff9a3d),
                        .sky = 0.48,
@@ -34,6 +36,7 @@ constexpr Palette light{.top = rgb(0xffffff),
                         .roles = {rgb(0x2f7fe0), rgb(0x8c96a3), rgb(0xe8a413), rgb(0xe0483e)},
                         .axes = {rgb(0xb8352d), rgb(0x1c7437), rgb(0x2562b3)},
                         .runs = {rgb(0x1b69cf), rgb(0xb35900), rgb(0x127043), rgb(0x9a2fa8)},
+                        .values = {0, 0.52},
                         .compressed = rgb(0x1464dc),
                         .stretched = rgb(0xe06a00),
                         .sky = 0.62,

@@ -20,6 +20,12 @@ constexpr Rgb rgb(std::uint32_t hex) {
     return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8), static_cast<std::uint8_t>(hex)};
 }
 
+/// A part of a colour map, from 0, its beginning, to 1.
+struct MapPart {
+    double low = 0;
+    double high = 1;
+};
+
 /// The colours of a drawing.
 struct Palette {
     Rgb top, bottom;  ///< of the background
@@ -32,6 +38,7 @@ struct Palette {
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
     std::array<Rgb, 4> runs;    ///< of a session, by swatch
+    MapPart values;             ///< of viridis: the scale of values
     Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
     double sky, earth;          ///< ambient light from above and below, 0 .. 1
 };

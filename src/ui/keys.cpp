@@ -40,7 +40,9 @@ constexpr std::array<KeyBinding, 31> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 12> gestures = {{
+constexpr std::array<MouseBinding, 14> gestures = {{
+    {"= - [ ] Home at a plot, after F6", "zoom the axis across, move along it, show all; with Shift, the axis up"},
+    {"arrows, Enter at speed against error, after F6", "go from point to point, add the run of one"},
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom towards the pointer"},

@@ -95,7 +95,7 @@ struct KeyBinding {
     std::string_view what;   ///< "save a snapshot"
 };
 
-/// A row of the table of mouse actions.
+/// A row of the table of mouse actions, and of keys that mean something else where the keyboard is in a plot.
 struct MouseBinding {
     std::string_view label;
     std::string_view what;

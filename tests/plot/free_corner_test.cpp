@@ -1,7 +1,9 @@
 #include "plot/free_corner.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -88,6 +90,19 @@ TEST(FreeCorner, does_not_cover_the_highest_peak) {
     EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 30), Corner::top_right);
 }
 
+TEST(FreeCorner, peaks_of_an_oscillation_count_as_other_points) {
+    const Box right = card_at(Corner::top_right), left = card_at(Corner::top_left);
+    for (const float higher : {-1.0F, 0.0F, 1.0F}) {
+        const std::vector<std::vector<Point>> lines{
+            {{left.x + 40, 120}, {left.x + 60, left.y + 10 - higher}, {left.x + 80, 120}},
+            {{right.x + 40, 120}, {right.x + 60, right.y + 10}, {right.x + 80, 120}},
+            through(Corner::bottom_left),
+            through(Corner::bottom_right)};
+        for (const Corner present : {Corner::top_left, Corner::top_right})
+            EXPECT_EQ(free_corner(lines, frame, card, 0, present, 20), present) << higher;
+    }
+}
+
 TEST(FreeCorner, stays_unless_another_is_much_better) {
     const std::vector<std::vector<Point>> everywhere{through(Corner::top_right), through(Corner::top_left),
                                                      through(Corner::bottom_right), through(Corner::bottom_left)};
@@ -99,6 +114,58 @@ TEST(FreeCorner, stays_unless_another_is_much_better) {
     const std::vector<std::vector<Point>> touched{{{box.x, box.y + 5}, {box.x + 20, box.y + 5}}};
     EXPECT_EQ(free_corner(touched, frame, card, 0, Corner::top_right, 30), Corner::top_right);
     EXPECT_NE(free_corner(touched, frame, card, 0, Corner::top_right, 10), Corner::top_right);
+}
+
+/// The corner of a card in each picture of a curve that grows, sampled 20 times a second; of the last `window` seconds,
+/// or from the start.
+template <class Function>
+std::vector<Corner> corners_of(const Function& function, double window = INFINITY) {
+    std::vector<Corner> all{Corner::top_right};
+    for (int last = 10; last <= 1600; last += 2) {
+        const int first = static_cast<int>(std::max(0.0, last - 20 * window));
+        std::vector<std::vector<Point>> lines(1);
+        for (int i = first; i <= last; ++i)
+            lines[0].push_back(
+                {frame.x + frame.width * static_cast<float>(i - first) / static_cast<float>(last - first),
+                 frame.y + frame.height * static_cast<float>(0.5 - 0.45 * function(i / 20.0))});
+        all.push_back(free_corner(lines, frame, card, 0, all.back(), 20));
+    }
+    return all;
+}
+
+/// Numbers of the pictures in which it moves.
+std::vector<std::size_t> moves_of(const std::vector<Corner>& corners) {
+    std::vector<std::size_t> moves;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        if (corners[i] != corners[i - 1]) moves.push_back(i);
+    }
+    return moves;
+}
+
+TEST(FreeCorner, makes_way_for_a_curve_that_grows_into_it) {
+    // 1 s in the middle, then up to the upper edge: it runs into the card at the right, and stays there
+    const auto rises = [](double time) { return time < 1 ? 0 : 1 - std::exp(1 - time); };
+    EXPECT_LE(moves_of(corners_of(rises, 4)).size(), 2u);
+    EXPECT_EQ(corners_of(rises, 4).back(), Corner::bottom_right);
+    // 10 pixels of its end, with other corners free
+    const Box box = card_at(Corner::top_right);
+    std::vector<std::vector<Point>> lines(1);
+    for (int i = 0; i <= 40; ++i) lines[0].push_back({box.x - 150 + 4 * static_cast<float>(i), box.y + 10});
+    EXPECT_NE(free_corner(lines, frame, card, 0, Corner::top_right, 20), Corner::top_right);
+    std::reverse(lines[0].begin(), lines[0].end());  // 10 pixels of its start
+    EXPECT_EQ(free_corner(lines, frame, card, 0, Corner::top_right, 20), Corner::top_right);
+}
+
+TEST(FreeCorner, does_not_go_to_and_fro_while_curves_oscillate) {
+    for (const double frequency : {0.25, 1.0, 7.0}) {
+        const auto swings = [&](double time) { return std::sin(frequency * time); };
+        for (const double window : {20.0, 60.0, double(INFINITY)}) {
+            const std::vector<std::size_t> moves = moves_of(corners_of(swings, window));
+            EXPECT_LE(moves.size(), 10u) << "in 80 s: " << frequency << " " << window;
+            for (std::size_t i = 1; i < moves.size(); ++i)  // 10 pictures: 1 s of the curve
+                EXPECT_GE(moves[i] - moves[i - 1], 10u) << frequency << " " << window << " " << moves[i];
+        }
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include <regex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace steplab::plot {
 namespace {
@@ -142,6 +144,27 @@ TEST(svg, legend_lies_where_the_curves_are_not) {
     for (Curve& curve : plot.curves) std::reverse(curve.y.begin(), curve.y.end());
     EXPECT_GT(legend_corner(svg(plot)).first, 360) << "they fall";
     EXPECT_LT(legend_corner(svg(plot)).second, 220);
+}
+
+/// Ends of the lines of this colour, as x1, y1, x2, y2.
+std::vector<std::array<float, 4>> lines_in(const std::string& text, const std::string& colour) {
+    std::vector<std::array<float, 4>> lines;
+    const std::regex line("<line x1=\"(.*?)\" y1=\"(.*?)\" x2=\"(.*?)\" y2=\"(.*?)\" stroke=\"" + colour + "\"/>");
+    for (std::sregex_iterator it(text.begin(), text.end(), line); it != std::sregex_iterator(); ++it)
+        lines.push_back({std::stof((*it)[1]), std::stof((*it)[2]), std::stof((*it)[3]), std::stof((*it)[4])});
+    return lines;
+}
+
+TEST(svg, each_grid_line_has_a_tick_outside_the_frame) {
+    const std::string text = svg(two_drawn_curves());
+    const auto grid = lines_in(text, "#dfe4ea"), ticks = lines_in(text, "#9aa5b1");
+    ASSERT_GT(grid.size(), 5u);
+    ASSERT_EQ(grid.size(), ticks.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const auto [x1, y1, x2, y2] = grid[i];
+        const std::array<float, 4> outside = y1 == y2 ? std::array{x1 - 3, y1, x1, y1} : std::array{x1, y2, x1, y2 + 3};
+        EXPECT_EQ(ticks[i], outside);
+    }
 }
 
 TEST(svg, legend_names_curves_and_bands_but_not_those_that_are_left_out_of_it) {

@@ -34,10 +34,68 @@ TEST(Axes, the_one_seen_from_its_end_is_left_out) {
     EXPECT_FALSE(has_label(seen_from(30, 90), "y [m]"));
 }
 
-TEST(Axes, lie_on_the_side_that_faces_the_eye) {
+TEST(Axes, lie_on_the_side_that_faces_the_eye_and_seen_from_below_on_the_far_one) {
     const auto z_of_x_axis = [](const Axes& axes) { return axes.lines.front().start.z; };
     EXPECT_EQ(z_of_x_axis(seen_from(20, 30)), box.bounds.high.z);
     EXPECT_EQ(z_of_x_axis(seen_from(160, 30)), box.bounds.low.z);
+    EXPECT_EQ(z_of_x_axis(seen_from(20, -30)), box.bounds.low.z);
+    EXPECT_EQ(z_of_x_axis(seen_from(160, -30)), box.bounds.high.z);
+}
+
+/// How far a point is from the line of an axis in the picture, in pixels; negative on its other side.
+double beside(const AxisLine& axis, Vec3 point, const Projection& projection) {
+    const PixelPoint start = *projection.pixel(axis.start), end = *projection.pixel(axis.end);
+    const PixelPoint at = *projection.pixel(point);
+    const double across = (end.x - start.x) * (at.y - start.y) - (end.y - start.y) * (at.x - start.x);
+    return across / std::hypot(end.x - start.x, end.y - start.y);
+}
+
+/// An axis ends at a corner of the box and is followed by its ticks.
+void expect_ticks_outside(const Projection& projection, const std::vector<Vec3>& inside) {
+    constexpr double rounding = 1e-9;  // of pixels up to 1e4, in double
+    const AxisLine* axis = nullptr;
+    const Axes axes = axes_of(box, projection, 1);
+    for (const AxisLine& line : axes.lines) {
+        const auto corners = box.bounds.corners();
+        const bool is_axis = std::find(corners.begin(), corners.end(), line.end) != corners.end();
+        if (is_axis) axis = &line;
+        if (is_axis) continue;
+        const double tick = beside(*axis, line.end, projection);
+        EXPECT_NEAR(std::abs(tick), 5, rounding) << "across the axis and as long in every view";
+        for (const Vec3 point : inside) EXPECT_LE(beside(*axis, point, projection) * tick, 5 * rounding);
+    }
+    EXPECT_NE(axis, nullptr);
+}
+
+void expect_ticks_outside(double yaw, double pitch, const std::vector<Vec3>& inside) {
+    SCOPED_TRACE(testing::Message() << yaw << ", " << pitch);
+    expect_ticks_outside(Projection({{9, 1, -9}, 60, yaw, pitch}, size_of_axes), inside);
+}
+
+// In these views all of the box lies inwards of the edges of its floor. Seen straight on or steeply, its sides lie
+// outwards.
+TEST(Axes, ticks_point_away_from_the_box) {
+    const auto corners = box.bounds.corners();
+    for (int yaw = -165; yaw < 180; yaw += 30) {
+        for (int pitch = -45; pitch <= 45; pitch += 15)
+            expect_ticks_outside(yaw, pitch, {corners.begin(), corners.end()});
+    }
+}
+
+TEST(Axes, ticks_point_away_from_the_floor_in_every_view) {
+    const auto [low, high] = box.bounds;
+    for (int yaw = -180; yaw < 180; yaw += 15) {
+        for (int pitch = -90; pitch <= 90; pitch += 15)
+            expect_ticks_outside(yaw, pitch,
+                                 {low, {high.x, low.y, low.z}, {low.x, low.y, high.z}, {high.x, low.y, high.z}});
+    }
+}
+
+TEST(Axes, ticks_point_down_from_a_floor_that_is_seen_edge_on) {
+    const Projection projection({{9, box.bounds.low.y, -9}, 60, 20, 0}, size_of_axes);
+    const AxisLine tick_of_x = axes_of(box, projection, 1).lines.at(1);
+    EXPECT_EQ(tick_of_x.start.y, box.bounds.low.y);
+    EXPECT_LT(tick_of_x.end.y, box.bounds.low.y);
 }
 
 TEST(Axes, numbers_keep_their_distance) {

@@ -2,6 +2,7 @@
 
 #include "render/overlay.hpp"
 #include "render/scenes.hpp"
+#include "support/contrast.hpp"
 #include "support/extreme_doubles.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,11 @@
 namespace steplab::render {
 namespace {
 
-/// Relative luminance after ITU-R BT.709, of colours as they are shown.
-double lightness(Rgb c) { return 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue; }
+double luminance(Rgb c) { return test::luminance(c.red, c.green, c.blue); }
+
+/// The scale of values at a part of it.
+Rgb on_dark(double part) { return value_colour(part, palette(Background::dark)); }
+Rgb on_light(double part) { return value_colour(part, palette(Background::light)); }
 
 Style coloured_by(Colouring colouring) {
     Style style;
@@ -24,15 +28,51 @@ Style coloured_by(Colouring colouring) {
     return style;
 }
 
-TEST(Viridis, goes_from_dark_blue_to_yellow) {
-    EXPECT_EQ(viridis(0), rgb(0x440154));
-    EXPECT_EQ(viridis(1), rgb(0xfde725));
-    EXPECT_EQ(viridis(-3), viridis(0));
-    EXPECT_EQ(viridis(7), viridis(1));
+TEST(ValueColours, go_from_blue_to_yellow_on_dark_and_from_violet_to_green_on_light) {
+    EXPECT_EQ(on_dark(0), rgb(0x2e6e8e));
+    EXPECT_EQ(on_dark(1), rgb(0xfde725));
+    EXPECT_EQ(on_light(0), rgb(0x440154));
+    EXPECT_EQ(on_light(1), rgb(0x20958c));
 }
 
-TEST(Viridis, grows_in_lightness_all_the_way) {
-    for (int i = 0; i < 100; ++i) EXPECT_LT(lightness(viridis(i / 100.0)), lightness(viridis((i + 1) / 100.0)));
+TEST(ValueColours, outside_the_scale_and_of_what_is_no_number_are_those_of_its_ends) {
+    for (Rgb (*const colour)(double) : {on_dark, on_light}) {
+        EXPECT_EQ(colour(-3), colour(0));
+        EXPECT_EQ(colour(7), colour(1));
+        EXPECT_EQ(colour(INFINITY), colour(1));
+        EXPECT_EQ(colour(std::nan("")), colour(0));
+    }
+}
+
+constexpr int shades = 1000;  // more than the levels of a channel: every colour of a scale is among them
+
+TEST(ValueColours, stand_out_from_all_of_the_background) {
+    for (const Background background : {Background::dark, Background::light}) {
+        const Palette& colours = palette(background);
+        for (const Rgb ground : {colours.top, colours.bottom}) {
+            for (int i = 0; i <= shades; ++i) {
+                const Rgb colour = value_colour(static_cast<double>(i) / shades, colours);
+                ASSERT_GE(test::contrast(luminance(colour), luminance(ground)), test::of_shapes)
+                    << id(background) << ", " << i;
+            }
+        }
+    }
+}
+
+TEST(ValueColours, become_lighter_all_the_way) {
+    constexpr int steps = 50;  // so few that rounding of a channel, 1 of 255, never takes a step back
+    for (Rgb (*const colour)(double) : {on_dark, on_light}) {
+        for (double i = 0; i < steps; ++i)
+            EXPECT_LT(luminance(colour(i / steps)), luminance(colour((i + 1) / steps))) << i;
+    }
+}
+
+TEST(ValueColours, have_at_least_half_of_the_colour_map) {
+    for (const Background background : {Background::dark, Background::light}) {
+        const MapPart part = palette(background).values;
+        EXPECT_GE(part.high - part.low, 0.5);
+        EXPECT_TRUE(part.low >= 0 && part.high <= 1);
+    }
 }
 
 TEST(ColourScale, ends_a_little_above_the_largest_value) {
@@ -73,9 +113,9 @@ TEST(ColourScale, of_a_column_ends_at_nice_numbers_around_its_values) {
     EXPECT_DOUBLE_EQ(scale->maximum, -2.8);
     EXPECT_EQ(title(*scale), "c_pe");
     const Rgb neutral = palette(style.background).neutral;
-    expect_near(particle_colour(frame, style, scale, 0), viridis(0.04 / 0.6));
+    expect_near(particle_colour(frame, style, scale, 0), on_dark(0.04 / 0.6));
     EXPECT_EQ(particle_colour(frame, style, scale, 1), neutral) << "not a number";
-    expect_near(particle_colour(frame, style, scale, 2), viridis(0.5 / 0.6));
+    expect_near(particle_colour(frame, style, scale, 2), on_dark(0.5 / 0.6));
     EXPECT_EQ(particle_colour(frame, style, scale, 3), neutral);
 }
 
@@ -132,11 +172,6 @@ TEST(ColourScale, has_an_end_and_a_colour_for_any_values) {
     }
 }
 
-TEST(Viridis, has_the_colour_of_0_for_what_is_no_number) {
-    EXPECT_EQ(viridis(std::nan("")), viridis(0));
-    EXPECT_EQ(viridis(INFINITY), viridis(1));
-}
-
 TEST(ColourScale, leaves_out_what_is_no_number) {
     Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
     frame.velocities = {{0, 2.2, 0}, {INFINITY, 0, 0}, {0, std::nan(""), 0}};
@@ -181,11 +216,11 @@ TEST(ParticleColours, follow_the_value) {
     frame.positions[2] = {2, 1, 0};
     Style style = coloured_by(Colouring::speed);
     const auto colour = [&](std::size_t i) { return particle_colour(frame, style, colour_scale(frame, style), i); };
-    EXPECT_EQ(colour(0), viridis(0));
-    EXPECT_EQ(colour(1), viridis(1));
+    EXPECT_EQ(colour(0), on_dark(0));
+    EXPECT_EQ(colour(1), on_dark(1));
     style = coloured_by(Colouring::displacement);
-    EXPECT_EQ(colour(1), viridis(0));
-    EXPECT_EQ(colour(2), viridis(1));
+    EXPECT_EQ(colour(1), on_dark(0));
+    EXPECT_EQ(colour(2), on_dark(1));
 }
 
 TEST(ParticleColours, kinetic_energy_takes_the_mass) {

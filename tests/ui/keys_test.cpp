@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -29,6 +30,19 @@ TEST(keys, table_names_them_all) {
     const std::string table = key_table();
     for (const KeyBinding& binding : key_bindings()) {
         EXPECT_NE(table.find("| " + std::string(binding.label) + " | "), std::string::npos) << binding.label;
+    }
+}
+
+TEST(keys, table_names_those_that_move_the_axes_of_a_plot) {
+    const std::string table = key_table();
+    const std::size_t row = table.find("at a plot");
+    ASSERT_NE(row, std::string::npos);
+    const std::string label = table.substr(table.rfind('\n', row) + 1, row - table.rfind('\n', row));
+    for (const Key key : {Key::equal, Key::minus, Key::bracket_left, Key::bracket_right, Key::home}) {
+        const auto& bindings = key_bindings();
+        const auto binding = std::find_if(bindings.begin(), bindings.end(),
+                                          [&](const KeyBinding& b) { return b.key == key && !b.control; });
+        EXPECT_NE(label.find(binding->label), std::string::npos) << binding->label;
     }
 }
 

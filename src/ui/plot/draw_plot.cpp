@@ -1,6 +1,7 @@
 #include "ui/plot/draw_plot.hpp"
 
 #include "core/number_text.hpp"
+#include "plot/moment_labels.hpp"
 #include "plot/pointed.hpp"
 #include "ui/plot/legend.hpp"
 #include "ui/plot/plot_files.hpp"
@@ -23,20 +24,25 @@ namespace {
 using plot::Curve;
 using plot::Plot;
 
-void draw_ticks(const plot::Layout& layout) {
+/// Grid lines, the box around them, ticks outside it and their labels.
+void draw_axes(const Context& context, const plot::Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
+    const float length = context.px(plot::tick_length);
     const auto draw_label = [](const plot::PlacedTick& tick) {
         text_left(tick.place.x, tick.place.y + 0.5f * tick.place.height, tick.label, colour::text_dim);
     };
     for (const plot::PlacedTick& tick : layout.up) {
         list.AddLine({frame.x, tick.pixel}, {frame.right(), tick.pixel}, colour::line);
+        list.AddLine({frame.x - length, tick.pixel}, {frame.x, tick.pixel}, colour::text_faint);
         draw_label(tick);
     }
     for (const plot::PlacedTick& tick : layout.across) {
         list.AddLine({tick.pixel, frame.y}, {tick.pixel, frame.bottom()}, colour::line);
+        list.AddLine({tick.pixel, frame.bottom()}, {tick.pixel, frame.bottom() + length}, colour::text_faint);
         draw_label(tick);
     }
+    list.AddRect({frame.x, frame.y}, {frame.right() + 1, frame.bottom() + 1}, colour::text_faint);
 }
 
 void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, const std::vector<plot::Point>& points,
@@ -52,21 +58,25 @@ void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, co
     if (curve.has_marks(few)) draw_marks(list, corners, ink, context.px(2.4f));
 }
 
+plot::Lettering lettering_of(const Theme& theme, const ImFont& font) {
+    const auto width = [&font](const std::string& text) {
+        return font.CalcTextSizeA(font.FontSize, 1e9f, 0, text.c_str()).x;
+    };
+    return {width, font.FontSize, theme.scale()};
+}
+
 /// What was done, and where the run stands, as vertical lines.
-void draw_moments(ImDrawList& list, const Context& context, const Plot& plot, const plot::Layout& layout) {
+void draw_moments(ImDrawList& list, const Context& context, const Plot& plot, const plot::Layout& layout,
+                  const std::vector<plot::MomentLine>& moments) {
     const Area& frame = layout.frame;
     const WithFont font(context.theme.fonts().tiny);
-    float free_from = frame.x;
-    for (const plot::Moment& moment : plot.moments) {
-        const float x = std::round(layout.axes.across.pixel(moment.x));
-        if (x < frame.x || x > frame.right()) continue;
-        list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::text_faint);
-        const float width = ImGui::CalcTextSize(moment.text.c_str()).x + context.px(6);
-        if (x < free_from || x + width > frame.right()) continue;
-        const float y = frame.bottom() - context.px(8), half = 0.5f * ImGui::GetTextLineHeight();
-        list.AddRectFilled({x + context.px(2), y - half}, {x + width - context.px(2), y + half}, colour::panel);
-        text_left(x + context.px(3), y, moment.text, colour::text_faint);
-        free_from = x + width;
+    for (const plot::MomentLine& line : moments)
+        list.AddLine({line.pixel, frame.y}, {line.pixel, frame.bottom()}, colour::text_faint);
+    const float edge = context.px(2);
+    for (const auto& [moment, pixel, label] : moments) {
+        if (label.empty()) continue;
+        list.AddRectFilled({label.x + edge, label.y}, {label.right() - edge, label.bottom()}, colour::panel);
+        text_left(label.x + context.px(3), label.y + 0.5f * label.height, moment->text, colour::text_faint);
     }
     if (!plot.now) return;
     const float x = std::round(layout.axes.across.pixel(*plot.now));
@@ -94,13 +104,14 @@ Lines lines_of(const Plot& plot, const plot::Layout& layout) {
     return lines;
 }
 
-void draw_curves(const Context& context, const Plot& plot, const Lines& lines, const plot::Layout& layout) {
+void draw_curves(const Context& context, const Plot& plot, const Lines& lines, const plot::Layout& layout,
+                 const std::vector<plot::MomentLine>& moments) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
     const float thickness = thickness_of(context);
     list.PushClipRect({frame.x, frame.y - thickness}, {frame.right() + 1, frame.bottom() + thickness}, true);
     for (const plot::Band& band : plot.bands) draw_band(list, context, band, layout);
-    draw_moments(list, context, plot, layout);
+    draw_moments(list, context, plot, layout, moments);
     for (const std::size_t i : plot::drawing_order(plot)) draw_curve(list, context, plot.curves[i], lines[i], layout);
     list.PopClipRect();
 }
@@ -139,6 +150,8 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
     const double across =
         points.empty() ? layout.axes.across.value(pointer.x) : points.front().curve->x[points.front().index];
     std::string text = plot.x.name + " " + with_unit(setting_text(across, 6), plot.x.unit);
+    for (const plot::Moment* const moment : plot::moments_at(plot, layout.axes, pointer.x, context.px(3)))
+        text += "\n" + moment->text;
     for (const auto& [curve, i] : points) {
         draw_dot(context, *curve, i, layout);
         text.append("\n" + curve->name + ": " + with_unit(setting_text(curve->y[i], 5), plot.y.unit));
@@ -205,12 +218,13 @@ void draw_content(const Context& context, const Plot& plot, const Area& area, co
                   bool title_in_frame) {
     {
         const WithFont font(context.theme.fonts().small);
-        draw_ticks(layout);
+        draw_axes(context, layout);
     }
     draw_axis_name(context, plot, area, layout.frame);
     const Lines lines = lines_of(plot, layout);
-    draw_curves(context, plot, lines, layout);
-    draw_legend(context, plot, layout, lines, title_in_frame);
+    const auto moments = plot::moment_lines(plot, layout, lettering_of(context.theme, *context.theme.fonts().tiny));
+    draw_curves(context, plot, lines, layout, moments);
+    draw_legend(context, plot, layout.frame, lines, plot::height_of_labels(moments, layout.frame), title_in_frame);
     ImGui::SetCursorScreenPos({layout.frame.x, layout.frame.y});
     if (context.purpose == Purpose::use && !plot.nearest_alone) draw_values_under_pointer(context, plot, layout, area);
 }
@@ -224,11 +238,7 @@ ImU32 ink_of(const Context& context, std::size_t colour) {
 }
 
 plot::Layout plot_layout(const Theme& theme, const Plot& plot, const Area& area) {
-    const ImFont& font = *theme.fonts().small;
-    const auto width = [&font](const std::string& text) {
-        return font.CalcTextSizeA(font.FontSize, 1e9f, 0, text.c_str()).x;
-    };
-    return plot::layout_of(plot, area, {width, font.FontSize, theme.scale()});
+    return plot::layout_of(plot, area, lettering_of(theme, *theme.fonts().small));
 }
 
 void draw_plot(const Context& context, const Plot& plot, const Area& area, bool title_in_frame) {
@@ -243,7 +253,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area, bool 
     if (plot::has_values(plot)) {
         draw_content(context, plot, area, layout, title_in_frame);
     } else {
-        draw_legend(context, plot, layout, {}, title_in_frame);
+        draw_legend(context, plot, frame, {}, 0, title_in_frame);
         draw_empty(context, plot, frame);
     }
     draw_save_menu(context, plot, area);

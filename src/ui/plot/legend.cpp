@@ -132,9 +132,8 @@ void draw_card(const Context& context, const Plot& plot, const Card& card, const
 
 }  // namespace
 
-void draw_legend(const Context& context, const Plot& plot, const plot::Layout& layout,
-                 std::span<const std::vector<plot::Point>> lines, bool with_title) {
-    const Area& frame = layout.frame;
+void draw_legend(const Context& context, const Plot& plot, const Area& frame,
+                 std::span<const std::vector<plot::Point>> lines, float above, bool with_title) {
     const auto card_in = [&](ImFont* const font, Names names) {
         const WithFont with(font);
         return card_of(context, plot, frame, with_title, names);
@@ -148,10 +147,10 @@ void draw_legend(const Context& context, const Plot& plot, const plot::Layout& l
         if (covers_most(card, frame, 0.6f)) card = card_in(font, Names::none);
     }
     if (card.empty()) return;
-    const float above = plot.moments.empty() ? 1 : context.px(16);  // their texts
+    above += 1;
     const auto [known, is_first] = context.state.plots.legends.try_emplace(plot.name);
-    plot::Corner& corner = known->second;  // one that stands somewhere moves only where that is much better
-    corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(30));
+    plot::Corner& corner = known->second;  // one that stands somewhere moves only for more than a crest
+    corner = plot::free_corner(lines, frame, card.size, above, corner, is_first ? 0 : context.px(20));
     const WithFont with(font);
     draw_card(context, plot, card, plot::card_in(frame, corner, card.size.width, card.size.height, above));
 }

@@ -1,33 +1,28 @@
 #include "ui/widgets/colours.hpp"
 
 #include "render/palette.hpp"
+#include "support/contrast.hpp"
 #include "ui/desk.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace steplab::ui {
 namespace {
 
-/// Relative luminance of a colour (WCAG 2).
+using test::of_shapes;
+using test::of_text;
+
 double luminance(ImU32 colour) {
-    const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
-    const auto linear = [](float channel) {
-        const double v = static_cast<double>(channel);
-        return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
+    const auto channel = [colour](int shift) { return static_cast<std::uint8_t>(colour >> shift); };
+    return test::luminance(channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT));
 }
 
-double contrast(ImU32 a, ImU32 b) {
-    const double one = luminance(a), other = luminance(b);
-    return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
-}
-
-constexpr double of_text = 4.5, of_shapes = 3;  // WCAG 2, level AA
+double contrast(ImU32 a, ImU32 b) { return test::contrast(luminance(a), luminance(b)); }
 
 class EveryTheme : public testing::TestWithParam<render::Background> {
 protected:
