@@ -2,13 +2,30 @@
 
 #include "ui/widgets/widgets.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 namespace steplab::ui {
 
+namespace {
+
+/// What has no room above or below its anchor, by its height in the last frame, covers what lies there rather than
+/// leave the display.
+void place(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot, float margin) {
+    const ImGuiWindow* const before = ImGui::FindWindowByName(name);
+    const float height = before ? before->Size.y : 0, top = anchor.y - pivot.y * height;
+    const float lowest = static_cast<float>(context.display.height) - margin - height;
+    const float held = std::max(margin, std::min(top, lowest));
+    if (held != top) anchor.y = held, pivot.y = 0;
+    ImGui::SetNextWindowPos(anchor, ImGuiCond_Always, pivot);
+}
+
+}  // namespace
+
 Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot, float width, ImU32 edge) {
     const float margin = context.px(8);
-    ImGui::SetNextWindowPos(anchor, ImGuiCond_Always, pivot);
+    place(context, name, anchor, pivot, margin);
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(context.display.height) - 2 * margin});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, context.px(1)));
@@ -19,10 +36,6 @@ Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    // what has no room above or below its anchor covers what lies there, rather than leave the window
-    const ImVec2 place = ImGui::GetWindowPos();
-    const float lowest = static_cast<float>(context.display.height) - margin - ImGui::GetWindowSize().y;
-    ImGui::SetWindowPos({place.x, std::max(margin, std::min(place.y, lowest))});
     context.mark(name,
                  {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowPos().x + ImGui::GetWindowSize().x,
                   ImGui::GetWindowPos().y + ImGui::GetWindowSize().y});

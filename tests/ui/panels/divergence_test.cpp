@@ -59,8 +59,8 @@ protected:
 
 /// The same in a window of this size.
 struct DivergedIn : Diverged {
+    explicit DivergedIn(const Display& display) : Diverged(display) {}
     using Diverged::desk;
-    using Diverged::Diverged;
     void TestBody() override {}
 };
 

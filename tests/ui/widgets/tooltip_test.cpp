@@ -120,11 +120,12 @@ float height_of_tooltip(Desk& desk, float x, float y) {
 TEST(tooltip, of_the_read_out_and_of_dt_explains_their_words) {
     Desk desk(describe("chain"));
     desk.frame();
-    const float left = desk.widget("scene").left + 40, top = desk.widget("scene").top;
+    const auto left = static_cast<float>(desk.interface.scene().x + 40),
+               top = static_cast<float>(desk.interface.scene().y);
     EXPECT_EQ(height_of_tooltip(desk, left, top + 35), 0) << "time and step";
     float highest = 0;
     for (float y = 40; y < 110; y += 2) highest = std::max(highest, height_of_tooltip(desk, left, top + y));
-    EXPECT_GT(highest, 30) << "energy error";
+    EXPECT_GT(highest, 20) << "energy error";
     EXPECT_EQ(height_of_tooltip(desk, left + 500, top + 60), 0) << "beside it";
     desk.point_at("snapshot");
     desk.frame();
