@@ -139,18 +139,6 @@ TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
     EXPECT_THAT(no_mpi.err, HasSubstr("openmpi-bin"));
 }
 
-// 250 000 positions alone would be 6 MB.
-TEST(Export, takes_no_memory_for_each_particle) {
-    const TemporaryFolder folder;
-    const auto kilobytes_of = [&](const std::string& size) {
-        const Outcome outcome = run_program({"export", "--model", "mesh", "--set", "dim=" + size, "--steps", "1",
-                                             "--to", "lammps", "--out", folder.file(size)});
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return outcome.kilobytes;
-    };
-    EXPECT_LT(kilobytes_of("500"), kilobytes_of("20") + 4000);
-}
-
 TEST(Cluster, of_another_program_than_lammps_says_so) {
     const TemporaryFolder folder;
     for (const char* const says : {"", "echo hello\n"}) {
