@@ -104,7 +104,7 @@ Rgb ColourScale::colour(double value, const Palette& palette) const {
     if (colouring != Colouring::strain) return value_colour(value / maximum, palette);
     const double quotient = value / maximum;
     const double part = std::isnan(quotient) ? 0 : std::clamp(quotient, -1.0, 1.0);
-    return mixed(palette.spring, part < 0 ? palette.compressed : palette.stretched, std::abs(part));
+    return mixed(palette.unstrained, part < 0 ? palette.compressed : palette.stretched, std::abs(part));
 }
 
 const ParticleValues* shown_column(const Frame& frame, const Style& style) {

@@ -22,7 +22,7 @@ struct ColourScale {
     double minimum = 0;                      ///< 0; -maximum for strain; the nice number below the values of a column
     double maximum = 1;                      ///< > minimum
     const ParticleValues* column = nullptr;  ///< of the frame, in place of the colouring
-    /// The colour of a value; the middle of the scale of strain is the spring colour of the palette.
+    /// The colour of a value; the scale of strain has a middle of its own.
     Rgb colour(double value, const Palette& palette) const;
 };
 

@@ -7,8 +7,8 @@
 namespace steplab::render {
 namespace {
 
-// Blue against orange, red only with a shape of its own: readable with every kind of colour blindness. `values` is what
-// has a contrast of 3 or more (WCAG 2.1, graphics) on all of the background.
+// Blue against orange, red only with a shape of its own: readable with every kind of colour blindness. `values` and
+// the colours of strain have a contrast of 3 or more (WCAG 2.1, graphics) on all of the background.
 constexpr Palette dark{.top = rgb(0x161b22),
                        .bottom = rgb(0x0d1117),
                        .grid = rgb(0x8b98a9),
@@ -22,6 +22,7 @@ constexpr Palette dark{.top = rgb(0x161b22),
                        .runs = {rgb(0x4ea1ff), rgb(0xf0994a), rgb(0x54c68a), rgb(0xd98be0)},
                        .values = {0.36, 1},
                        .compressed = rgb(0x3d8bff),
+                       .unstrained = rgb(0x737e8c),
                        .stretched = rgb(0xff9a3d),
                        .sky = 0.48,
                        .earth = 0.26};
@@ -38,7 +39,8 @@ constexpr Palette light{.top = rgb(0xffffff),
                         .runs = {rgb(0x1b69cf), rgb(0xb35900), rgb(0x127043), rgb(0x9a2fa8)},
                         .values = {0, 0.52},
                         .compressed = rgb(0x1464dc),
-                        .stretched = rgb(0xe06a00),
+                        .unstrained = rgb(0x76818e),
+                        .stretched = rgb(0xd96500),
                         .sky = 0.62,
                         .earth = 0.42};
 

@@ -32,15 +32,15 @@ struct Palette {
     Rgb grid;         ///< lines on the ground, axes
     Rgb text;         ///< numbers and titles
     Rgb spring;
-    Rgb neutral;                ///< moving particles where springs are coloured by strain
-    Rgb selection;              ///< ring around the selected particle
-    Rgb force;                  ///< arrows of forces
-    std::array<Rgb, 4> roles;   ///< by Role
-    std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
-    std::array<Rgb, 4> runs;    ///< of a session, by swatch
-    MapPart values;             ///< of viridis: the scale of values
-    Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
-    double sky, earth;          ///< ambient light from above and below, 0 .. 1
+    Rgb neutral;                            ///< moving particles where springs are coloured by strain
+    Rgb selection;                          ///< ring around the selected particle
+    Rgb force;                              ///< arrows of forces
+    std::array<Rgb, 4> roles;               ///< by Role
+    std::array<Rgb, 3> axes;                ///< x, y, z of the small cross
+    std::array<Rgb, 4> runs;                ///< of a session, by swatch
+    MapPart values;                         ///< of viridis: the scale of values
+    Rgb compressed, unstrained, stretched;  ///< ends and middle of the scale of strain
+    double sky, earth;                      ///< ambient light from above and below, 0 .. 1
 };
 
 const Palette& palette(Background background);

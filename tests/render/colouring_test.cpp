@@ -47,13 +47,19 @@ TEST(ValueColours, outside_the_scale_and_of_what_is_no_number_are_those_of_its_e
 constexpr int shades = 1000;  // more than the levels of a channel: every colour of a scale is among them
 
 TEST(ValueColours, stand_out_from_all_of_the_background) {
+    ColourScale strain_scale;
+    strain_scale.colouring = Colouring::strain;
+    strain_scale.minimum = -1;
+    strain_scale.maximum = 1;
     for (const Background background : {Background::dark, Background::light}) {
         const Palette& colours = palette(background);
         for (const Rgb ground : {colours.top, colours.bottom}) {
             for (int i = 0; i <= shades; ++i) {
-                const Rgb colour = value_colour(static_cast<double>(i) / shades, colours);
-                ASSERT_GE(test::contrast(luminance(colour), luminance(ground)), test::of_shapes)
-                    << id(background) << ", " << i;
+                const double part = static_cast<double>(i) / shades;
+                for (const Rgb colour : {value_colour(part, colours), strain_scale.colour(2 * part - 1, colours)}) {
+                    ASSERT_GE(test::contrast(luminance(colour), luminance(ground)), test::of_shapes)
+                        << id(background) << ", " << i;
+                }
             }
         }
     }
