@@ -4,6 +4,7 @@
 #include "render/framing.hpp"
 #include "session/playback.hpp"
 #include "sim/run/opening.hpp"
+#include "ui/camera_keys.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
 #include "ui/steering.hpp"
@@ -34,6 +35,15 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
     auto place = static_cast<std::ptrdiff_t>(place_in(page.gallery, here));
     if (place == count && offset > 0) place = -1;  // a file of the user's stands before the first and behind the last
     open_exhibit(context, page.gallery[static_cast<std::size_t>((place + offset + count) % count)]);
+}
+
+/// Behind the last particle comes the first.
+void select_beside(const Context& context, std::ptrdiff_t offset) {
+    const auto count = static_cast<std::ptrdiff_t>(context.view.frame.positions.size());
+    if (count == 0) return;
+    const std::ptrdiff_t none = offset > 0 ? -1 : 0;
+    const auto here = context.view.tracked ? static_cast<std::ptrdiff_t>(context.view.tracked->particle) : none;
+    context.state.selection.only(static_cast<std::size_t>((here + offset + count) % count), context.events);
 }
 
 /// The message that is drawn last. An open menu closes itself.
@@ -196,6 +206,10 @@ void perform(const Context& context, Action action) {
             return events.send(event::Do{TurnRound{}});
         case Action::twin:
             return toggle_twin(context);
+        case Action::next_particle:
+            return select_beside(context, 1);
+        case Action::previous_particle:
+            return select_beside(context, -1);
         case Action::select_box:
             context.state.hands.selecting = !context.state.hands.selecting;
             return;
@@ -261,6 +275,12 @@ bool acts_beside_an_entry(Action action) {
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
+/// Held, the key does it again and again.
+bool is_repeated(Action action) {
+    return action == Action::step_forward || action == Action::step_back || action == Action::next_particle ||
+           action == Action::previous_particle;
+}
+
 /// Keys that belong to the panel that the keyboard is in.
 bool goes_to_widgets(const Context& context, Key key) {
     if (!context.state.steering) return false;
@@ -275,11 +295,12 @@ bool goes_to_widgets(const Context& context, Key key) {
 }  // namespace
 
 void perform_pressed_keys(const Context& context) {
+    if (use_camera_keys(context)) return;
     for (const KeyBinding& binding : key_bindings()) {
         if (ImGui::GetIO().WantTextInput && !acts_beside_an_entry(binding.action)) continue;
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
         if (!binding.control && goes_to_widgets(context, binding.key)) continue;
-        const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
+        const bool repeats = is_repeated(binding.action);
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);
         }

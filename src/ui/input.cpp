@@ -47,6 +47,7 @@ constexpr KeyName editing_keys[] = {
     {Key::y, ImGuiKey_Y},
     {Key::j, ImGuiKey_J},
     {Key::l, ImGuiKey_L},
+    {Key::n, ImGuiKey_N},
     {Key::zero, ImGuiKey_0},
     {Key::equal, ImGuiKey_Equal},
     {Key::minus, ImGuiKey_Minus},

@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 31> keys = {{
+constexpr std::array<KeyBinding, 33> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::play_back, Key::j, false, "J", "play backwards, or pause"},
     {Action::loop, Key::l, false, "L", "repeat between the marks around this moment, or all"},
@@ -19,6 +19,8 @@ constexpr std::array<KeyBinding, 31> keys = {{
     {Action::turn_round, Key::r, false, "R", "turn all velocities round: time runs back"},
     {Action::twin, Key::t, false, "T", "float beside double, or without it again"},
     {Action::select_box, Key::s, false, "S", "select the particles in a box: drag it next"},
+    {Action::next_particle, Key::n, false, "N", "select the next particle"},
+    {Action::previous_particle, Key::p, false, "P", "select the particle before"},
     {Action::reset_view, Key::home, false, "Home", "reset the view"},
     {Action::zoom_to_fit, Key::f, false, "F", "zoom to fit"},
     {Action::faster, Key::equal, false, "=", "play faster"},
@@ -40,9 +42,11 @@ constexpr std::array<KeyBinding, 31> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 14> gestures = {{
+constexpr std::array<MouseBinding, 16> gestures = {{
     {"= - [ ] Home at a plot, after F6", "zoom the axis across, move along it, show all; with Shift, the axis up"},
     {"arrows, Enter at speed against error, after F6", "go from point to point, add the run of one"},
+    {"Alt + arrows", "orbit; with Shift, pan"},
+    {"Alt + = -", "zoom"},
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom towards the pointer"},

@@ -21,6 +21,8 @@ enum class Action {
     turn_round,
     twin,
     select_box,
+    next_particle,
+    previous_particle,
     reset_view,
     zoom_to_fit,
     faster,
@@ -83,6 +85,7 @@ enum class Key {
     f6,
     page_up,
     page_down,
+    n,
     count
 };
 

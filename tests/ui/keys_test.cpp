@@ -118,7 +118,7 @@ TEST(keys, snapshot_full_screen_and_quit_are_requests) {
 
 TEST(keys, letters_without_control_are_not_those_with_it) {
     Desk desk;
-    desk.key(Key::p);
+    desk.key(Key::o);
     desk.key(Key::q);
     desk.key(Key::space, true);
     EXPECT_TRUE(desk.interface.take_requests().empty());
@@ -183,6 +183,8 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::turn_round, "turn round"},
                                                   {Action::twin, "twin"},
                                                   {Action::select_box, "selection.box"},
+                                                  {Action::next_particle, "menu/next particle"},
+                                                  {Action::previous_particle, "menu/previous particle"},
                                                   {Action::reset_view, "menu/reset view"},
                                                   {Action::zoom_to_fit, "menu/zoom to fit"},
                                                   {Action::faster, "menu/faster"},
@@ -206,12 +208,54 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
     desk.key(Key::f1);
     desk.click("menu");
     std::set<std::string> found;
-    for (const char* const beside : {"menu", "menu/playing", "menu/text size"}) {
+    for (const char* const beside : {"menu", "menu/playing", "menu/text size", "menu/particles"}) {
         if (beside != std::string("menu")) desk.click(beside);
         for (const auto& [widget, place] : desk.interface.widgets()) found.insert(widget);
     }
     for (const KeyBinding& binding : key_bindings())
         EXPECT_TRUE(found.contains(places.at(binding.action))) << binding.label;
+}
+
+/// The camera after a key with Alt.
+render::Camera after(Desk& desk, Key key, bool shift = false) {
+    desk.interface.input().push(ModifiersChanged{.shift = shift, .alt = true});
+    desk.interface.input().push(KeyChanged{key, true});
+    desk.frame();
+    desk.interface.input().push(KeyChanged{key, false});
+    desk.interface.input().push(ModifiersChanged{});
+    desk.frame();
+    desk.frame();
+    return desk.camera;
+}
+
+TEST(keys, of_the_camera_turn_move_and_zoom_it) {
+    Desk desk(describe("mesh"));
+    desk.frame();
+    const render::Camera start = desk.camera;
+    const render::Camera turned = after(desk, Key::right);
+    EXPECT_NE(turned.yaw, start.yaw);
+    EXPECT_EQ(turned.focus, start.focus);
+    EXPECT_NEAR(after(desk, Key::left).yaw, start.yaw, 1e-9);  // there and back
+    EXPECT_NE(after(desk, Key::up).pitch, start.pitch);
+    EXPECT_NEAR(after(desk, Key::down).pitch, start.pitch, 1e-9);
+    const render::Camera moved = after(desk, Key::right, true);
+    EXPECT_NE(moved.focus, start.focus);
+    EXPECT_EQ(moved.yaw, desk.camera.yaw);
+    EXPECT_LT(after(desk, Key::equal).distance, start.distance);
+    EXPECT_NEAR(after(desk, Key::minus).distance, start.distance, 1e-9 * start.distance);
+    EXPECT_THAT(desk.calls(), IsEmpty()) << "no step is taken, and no speed set";
+    EXPECT_TRUE(desk.recorder.rates.empty());
+}
+
+TEST(keys, select_particles_one_after_the_other) {
+    Desk desk(describe("chain"));
+    desk.view.tracked = Tracked{8, {}};
+    for (const auto& [key, particle] : {std::pair{Key::n, 9u}, {Key::n, 0u}, {Key::p, 9u}, {Key::p, 8u}}) {
+        desk.key(key);
+        const auto& sent = std::get<event::Track>(desk.recorder.events.back());
+        EXPECT_EQ(sent.particle, particle);
+        desk.view.tracked = Tracked{particle, {}};
+    }
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ constexpr Pair pairs[] = {
     {GLFW_KEY_Y, Key::y, 'y'},
     {GLFW_KEY_J, Key::j, 'j'},
     {GLFW_KEY_L, Key::l, 'l'},
+    {GLFW_KEY_N, Key::n, 'n'},
     {GLFW_KEY_0, Key::zero, '0'},
     {GLFW_KEY_KP_0, Key::zero},
     {GLFW_KEY_EQUAL, Key::equal, '='},

@@ -130,6 +130,10 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/redo", "Redo", Action::redo);
     action_item(context, "menu/bookmark", "Mark this moment", Action::bookmark);
     action_item(context, "menu/select box", "Select a box", Action::select_box);
+    menu_beside(context, "menu/particles", "Select a particle", [&] {
+        action_item(context, "menu/next particle", "Next", Action::next_particle);
+        action_item(context, "menu/previous particle", "Before", Action::previous_particle);
+    });
     ImGui::Separator();
     if (!context.session.playback) menu_beside(context, "menu/runs", "Runs", [&] { draw_run_items(context); });
     menu_beside(context, "menu/playing", "Playing", [&] { draw_playing_items(context); });

@@ -4,6 +4,7 @@
 #include "ui/panels/late_errors.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <fmt/format.h>
 

@@ -180,7 +180,7 @@ TEST(Divergence, of_a_scene_without_known_limit_names_dt) {
     simulation.advance(100000);
     ASSERT_TRUE(simulation.divergence());
     EXPECT_FALSE(simulation.divergence()->limit.has_value());
-    EXPECT_THAT(simulation.divergence()->message, HasSubstr("dt = 30 is too large for euler"));
+    EXPECT_THAT(simulation.divergence()->message, HasSubstr("dt = 30 s is too large for euler"));
 }
 
 TEST(Divergence, names_the_particle_that_is_thrown_off) {
