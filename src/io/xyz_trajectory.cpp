@@ -137,9 +137,11 @@ private:
         }
     }
 
-    /// A box along the axes is all that a scene has; that of another program may lean.
+    /// A box along the axes, through all faces of which the space goes on, is all that a scene has; that of another
+    /// program may lean, or have faces.
     void read_box(std::string_view lattice, std::string_view origin, std::string_view periodic) {
-        if (foreign_ && !is_along_axes(lattice)) return read_cell(lattice, origin, periodic);
+        const bool has_faces = periodic.find('F') != std::string_view::npos;
+        if (foreign_ && (!is_along_axes(lattice) || has_faces)) return read_cell(lattice, origin, periodic);
         const auto edges = words_of(lattice), corner = words_of(origin);
         if (edges.size() != 9 || corner.size() != 3) input_.fail("its Lattice or Origin is not one of steplab");
         std::array<double, 3> sides{};

@@ -53,6 +53,22 @@ TEST(XyzOfOthers, has_no_box_where_that_is_flat_or_along_the_axes) {
     EXPECT_TRUE(box_of("1 0 0 0 2 0 0.1 0 3").cell);
 }
 
+// A particle beyond a face was drawn at the other side of the box.
+TEST(XyzOfOthers, has_faces_where_its_space_does_not_go_on) {
+    for (const std::string flags : {"F F F", "T F T", "T T F"}) {
+        const std::string text =
+            "1\nLattice=\"4 0 0 0 2 0 0 0 3\" pbc=\"" + flags + "\" Properties=species:S:1:pos:R:3\nH 9 9 9\n";
+        const FrameBlock frame = frame_of(text);
+        ASSERT_TRUE(frame.scene.cell) << flags;
+        EXPECT_EQ(frame.scene.box, Vec3{});
+        const Vec3 seen = frame.scene.cell->seen({9, 9, 9});
+        EXPECT_EQ(seen.x == 9, flags[0] == 'F');
+        EXPECT_EQ(seen.y == 9, flags[2] == 'F');
+        EXPECT_EQ(seen.z == 9, flags[4] == 'F');
+        EXPECT_NE(written(frame).find("pbc=\"" + flags), std::string::npos) << written(frame);
+    }
+}
+
 TEST(XyzOfOthers, has_what_else_there_is_of_numbers) {
     const FrameBlock frame = frame_of(with_columns);
     std::vector<std::string> names;

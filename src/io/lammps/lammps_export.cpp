@@ -46,12 +46,19 @@ public:
     }
 
 private:
+    /// Three double quotes begin a text of several lines, also in a comment.
+    std::string title() const {
+        std::string title = shown(model_of(run_).info.name);
+        std::replace(title.begin(), title.end(), '"', '\'');
+        return title;
+    }
+
     std::string head() const {
         return fmt::format(
             "# {}: for LAMMPS, by steplab {}. Units are the scene's own; LAMMPS calls them lj.\n"
             "# -var steps N computes another number of steps.\n"
             "variable steps index {}\n\nunits lj\natom_style {}\n",
-            shown(model_of(run_).info.name), STEPLAB_VERSION, time_.steps, atom_style(scene_));
+            title(), STEPLAB_VERSION, time_.steps, atom_style(scene_));
     }
 
     /// Without a period, the box grows with the particles.
