@@ -34,6 +34,7 @@ Playback::Playback(const std::string& file)
         refuse_file(file_, "it holds no positions");
     if (described && static_cast<double>(frame_.positions.size()) == model_of(run_).particles(as_held(run_).scene))
         meter_.emplace(run_);
+    has_velocities_ = file_frames_->has_velocities();  // known once: it may take reading the first frame
     shape_ = meter_ ? meter_->shape() : played_shape(*file_frames_, frame_);
     arrive();
 }
@@ -225,7 +226,7 @@ void Playback::observe(SessionView& view) {
                                  frames(),
                                  file_frames_->fault(),
                                  is_measured(),
-                                 file_frames_->has_velocities(),
+                                 has_velocities_,
                                  file_frames_->looked_through()};
     observe(view.leading);
 }
