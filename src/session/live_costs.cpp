@@ -32,8 +32,8 @@ bool same_scan(const RunDescription& a, const RunDescription& b) {
 CostsView costs_of(const std::vector<RunDescription>& runs) {
     CostScan scan(runs.front());
     CostsView view{.time = scan.time()};
+    while (auto point = scan.next()) put(view.points, std::move(*point));
     for (const RunDescription& run : runs) view.runs.push_back(scan.cost_of(run));
-    while (auto point = scan.next()) view.points.push_back(std::move(*point));
     view.complete = true;
     view.done = scan.done();
     view.how = scan.how();
@@ -110,9 +110,11 @@ struct LiveCosts::Body {
         if (!scan || !same_scan(scene, wanted.front())) begin(wanted.front());
         if (shown != wanted) measure_shown(wanted);
         if (view.complete) return;
-        const auto point = scan->next();
-        if (point) view.points.push_back(*point);
+        const bool was_provisional = scan->provisional();
+        auto point = scan->next();
         view.complete = !point;
+        if (point) put(view.points, std::move(*point));
+        if (was_provisional && !scan->provisional()) measure_shown(wanted);
         view.done = scan->done();
         view.how = scan->how();
         tell(view.complete || view.points.size() == 1);
@@ -129,6 +131,7 @@ struct LiveCosts::Body {
     void measure_shown(const std::vector<RunDescription>& wanted) {
         view.runs.clear();
         for (const RunDescription& run : wanted) view.runs.push_back(scan->cost_of(run));
+        view.provisional = scan->provisional();
         shown = wanted;
         tell(true);
     }

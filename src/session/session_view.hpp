@@ -60,7 +60,8 @@ struct CostsView {
     std::vector<std::optional<CostPoint>> runs = {};  ///< those of the session, the leading one first; none: diverged
     double done = 0;                                  ///< the fraction of the series that are complete
     bool complete = false;
-    std::string how = {};  ///< the reference in words, or why nothing is known
+    bool provisional = false;  ///< errors are against a quick reference, until there is a better one
+    std::string how = {};      ///< the reference in words, or why nothing is known
 };
 
 /// What is known of a trajectory file that is played in place of a session.

@@ -1,13 +1,18 @@
 #include "lab/study/cost_scan.hpp"
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "lab/study/gain_watch.hpp"
+#include "lab/study/patience.hpp"
+#include "lab/study/quick_reference.hpp"
 #include "lab/study/speed_error.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace steplab {
@@ -15,8 +20,13 @@ namespace {
 
 /// Of the first run of a series, and of a scene's own steps over its time.
 constexpr double coarsest = 8, usual_steps = 200;
-/// Of a reference that is a run: a scan is to begin at once.
-constexpr double reference_effort = 0.1;
+/// Of a reference that is a run: a scan is to begin at once. Where a cut-off keeps it from its order, 16, it gives way
+/// to the quick one.
+constexpr double reference_effort = 0.1, least_reference_gain = 8;
+/// Of the quick reference: some tenths of a second; and where that in long double is no better, some seconds.
+constexpr double quick_terms = 1e8, more_terms = 1e9;
+/// A first run that takes so many times as long as runs may is put off, and given up if it then takes long, too.
+constexpr double patience = 4, last_patience = 200;
 
 /// The runs of one method in one precision, over dt or over tolerances.
 struct ScannedSeries {
@@ -25,7 +35,8 @@ struct ScannedSeries {
     bool by_tolerance = false;
     int level = 0;  ///< of the next run
     bool over = false;
-    double seconds = 0;  ///< that the last run took
+    bool has_run = false;  ///< that did not diverge
+    bool put_off = false;  ///< its first run takes long
     GainWatch gain = {};
 };
 
@@ -38,6 +49,7 @@ StudyPlan plan_of_scan(const RunDescription& scene, double time) {
         if (!method.info.curiosity) plan.methods.emplace_back(method.info.id);
     }
     plan.reference_effort = reference_effort;
+    plan.least_reference_gain = least_reference_gain;
     return plan;
 }
 
@@ -47,8 +59,9 @@ struct CostScan::Body {
     StudyPlan plan;
     std::optional<Reference> reference = {};
     std::vector<ScannedSeries> series = {};
-    std::size_t turn = 0;  ///< of the series to go on with
-    double most_seconds;   ///< of a run
+    bool provisional = false;  ///< the reference is a quick one
+    std::size_t turn = 0;      ///< of the series to go on with
+    double most_seconds;       ///< of a run
 
     Body(StudyPlan of, double seconds_a_run) : plan(std::move(of)), most_seconds(seconds_a_run) {
         for (const std::string& method : possible_methods(plan)) {
@@ -60,8 +73,56 @@ struct CostScan::Body {
     }
 
     const Reference& known_reference() {
+        if (reference) return *reference;
+        reference = exact_reference(plan.scene, std::span(&plan.time, 1));
+        if (!reference) {
+            reference = quick_reference(plan.scene, plan.time, quick_terms);
+            provisional = reference.has_value();
+        }
         if (!reference) reference = reference_for(plan);
         return *reference;
+    }
+
+    /// Once every series has begun: a better reference, if there is one, and the first runs once more.
+    void settle_reference() {
+        provisional = false;
+        if (!is_improved_by(longer_reference()) && !is_improved_by(quick_reference(plan.scene, plan.time, more_terms)))
+            return;
+        for (ScannedSeries& one : series) {
+            if (!one.put_off) one = {one.method, one.precision, one.by_tolerance};
+        }
+        turn = 0;
+    }
+
+    /// None of a scene that is too much for it.
+    std::optional<Reference> longer_reference() const try { return reference_for(plan); } catch (const UsageError&) {
+        return std::nullopt;
+    }
+
+    bool is_improved_by(std::optional<Reference> other) {
+        if (!other || !(other->moments.back().error < reference->moments.back().error)) return false;
+        reference = std::move(other);
+        return true;
+    }
+
+    /// The series whose turn it is; null at the end. Those that were put off come when the others are over.
+    ScannedSeries* next_series() {
+        if (auto* const one = next_of([this](const ScannedSeries& each) {
+                return !each.over && !each.put_off && (!provisional || !each.has_run);
+            }))
+            return one;
+        if (provisional) return settle_reference(), next_series();
+        return next_of([](const ScannedSeries& each) { return !each.over; });
+    }
+
+    template <class Wanted>
+    ScannedSeries* next_of(const Wanted& wanted) {
+        for (std::size_t tried = 0; tried < series.size(); ++tried) {
+            ScannedSeries& one = series[turn];
+            turn = (turn + 1) % series.size();
+            if (wanted(one)) return &one;
+        }
+        return nullptr;
     }
 
     std::uint64_t steps_of(const ScannedSeries& one) const {
@@ -76,16 +137,21 @@ struct CostScan::Body {
         return run;
     }
 
-    /// Notes what it tells of its series.
-    Measurement taken(ScannedSeries& one) {
-        const double least_tolerance = one.precision == Precision::float_ ? 1e-7 : 1e-15;
-        const RunDescription run = run_of(one);
-        Measurement result = measure(run, steps_of(one), known_reference(), check_interruption);
+    /// Notes what it tells of its series. None if it takes too long.
+    std::optional<Measurement> taken(ScannedSeries& one) try {
+        const Patience until(most_seconds * (one.put_off ? last_patience : patience));
+        Measurement result = measure(run_of(one), steps_of(one), known_reference(), check_interruption);
         const double growth = one.by_tolerance ? 1.5 : 2;
+        const double least_tolerance = one.precision == Precision::float_ ? 1e-7 : 1e-15;
         ++one.level;
+        one.has_run = one.has_run || !result.diverged();
         one.over = one.gain.gains_no_more(result) || result.rough_seconds * growth > most_seconds ||
                    (one.by_tolerance && std::pow(10.0, -2 - one.level) < least_tolerance) || one.level > 40;
         return result;
+    } catch (const PatienceEnds&) {
+        one.over = one.put_off || one.level > 0;
+        one.put_off = true;
+        return std::nullopt;
     }
 };
 
@@ -121,16 +187,18 @@ double CostScan::time_for(const RunDescription& scene) {
 
 double CostScan::time() const { return body_->plan.time; }
 
+bool CostScan::provisional() const { return body_->provisional; }
+
 std::string CostScan::how() const { return body_->reference ? body_->reference->how : ""; }
 
 std::optional<CostPoint> CostScan::next() {
-    auto& all = body_->series;
-    while (std::any_of(all.begin(), all.end(), [](const ScannedSeries& one) { return !one.over; })) {
-        ScannedSeries& one = all[body_->turn];
-        body_->turn = (body_->turn + 1) % all.size();
-        if (one.over) continue;
-        const Measurement result = body_->taken(one);
-        if (auto point = point_of(result.run, result)) return point;
+    body_->known_reference();
+    while (ScannedSeries* const one = body_->next_series()) {
+        const auto result = body_->taken(*one);
+        auto point = result ? point_of(result->run, *result) : std::nullopt;
+        if (!point) continue;
+        point->provisional = body_->provisional;
+        return point;
     }
     return std::nullopt;
 }
@@ -141,13 +209,22 @@ std::optional<CostPoint> CostScan::cost_of(const RunDescription& run) {
     RunDescription over = run;
     over.dt = time() / static_cast<double>(steps);
     const Measurement result = measure(over, steps, body_->known_reference(), check_interruption);
-    return point_of(run, result);
+    auto point = point_of(run, result);
+    if (point) point->provisional = body_->provisional;
+    return point;
 }
 
 double CostScan::done() const {
     const auto& all = body_->series;
+    if (body_->provisional) return 0;
     const auto over = std::count_if(all.begin(), all.end(), [](const ScannedSeries& one) { return one.over; });
     return all.empty() ? 1 : static_cast<double>(over) / static_cast<double>(all.size());
+}
+
+void put(std::vector<CostPoint>& points, CostPoint point) {
+    const auto before = std::find_if(points.begin(), points.end(),
+                                     [&](const CostPoint& each) { return each.provisional && each.run == point.run; });
+    before != points.end() ? * before = std::move(point) : points.emplace_back(std::move(point));
 }
 
 }  // namespace steplab

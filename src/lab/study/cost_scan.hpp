@@ -6,22 +6,26 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
 /// What a run costs and how wrong it is at the end.
 struct CostPoint {
     RunDescription run;
-    double evaluations = 0;  ///< of the force, start included
-    double error = 0;        ///< largest distance of a particle from the reference [m], no less than its error
-    double seconds = 0;      ///< of the stepping, under any other load
+    double evaluations = 0;    ///< of the force, start included
+    double error = 0;          ///< largest distance of a particle from the reference [m], no less than its error
+    double seconds = 0;        ///< of the stepping, under any other load
+    bool provisional = false;  ///< the error is against a quick reference: the same run may come once more
     friend bool operator==(const CostPoint&, const CostPoint&) = default;
 };
 
 /// The work-precision diagram of a scene, run by run, so that there is something to see at once: a run of every method
 /// in both precisions with a large dt, then with half of it, and so on until a series gains no more or its next run
-/// would take too long; methods that choose their steps by tolerances. The same scene gives the same points in the same
-/// order, but for the series that time ends.
+/// would take too long; methods that choose their steps by tolerances. Where the reference is a run, the first point of
+/// each series is against a quick reference, and all come once more where there is a better one. First runs that take
+/// too long come last. The same scene gives the same points in the same order, but for the series that time
+/// ends or puts off.
 class CostScan {
 public:
     /// A series ends before a run that would take longer, in seconds.
@@ -39,8 +43,11 @@ public:
     double time() const;
     /// The reference, in words; known after the first point.
     std::string how() const;
+    /// Whether errors are against a quick reference so far; false before the first point.
+    bool provisional() const;
 
-    /// A run of the scan; none at its end. Where a run diverges, the next one is taken. Throws UsageError, Interrupted.
+    /// A run of the scan, or one that was provisional once more; none at its end. Where a run diverges, the next one is
+    /// taken. Throws UsageError, Interrupted.
     std::optional<CostPoint> next();
     /// What a run of this scene costs over the time, its dt shortened to a whole number of steps; none if it diverges.
     /// Throws UsageError, Interrupted.
@@ -52,5 +59,8 @@ private:
     struct Body;
     std::unique_ptr<Body> body_;
 };
+
+/// Adds a point of a scan to those before, or puts it in the place of that of the same run.
+void put(std::vector<CostPoint>& points, CostPoint point);
 
 }  // namespace steplab

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace steplab {
 
@@ -205,9 +206,10 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
         fine = run(fineness = fineness.finer());
         if (blind(fine)) return std::nullopt;
         const std::vector<double> finer = differences(coarse, fine);
-        const bool stalled = largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2;
+        const bool stalled = (largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2) ||
+                             largest(finer) * effort.least_gain > largest(errors);
         errors = finer;
-        if (stalled) break;  // limited by rounding of long double
+        if (stalled) break;  // limited by rounding of long double, or slow
     }
     return as_reference(fine, errors, times, description_of(fine, fineness));
 }
@@ -229,11 +231,6 @@ Reference refined(const RunDescription& held, std::span<const double> times, con
     return refined(held, times, effort, run, own, std::move(adaptive)).value();
 }
 
-std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {
-    const auto exact = exact_of(held);
-    return exact && (times.empty() || times.back() <= exact->valid_until()) ? exact : nullptr;
-}
-
 }  // namespace
 
 ReferenceMoment exact_moment(const ExactSolution& exact, std::size_t particles, double time) {
@@ -246,14 +243,19 @@ ReferenceMoment exact_moment(const ExactSolution& exact, std::size_t particles, 
     return moment;
 }
 
-Reference reference(const RunDescription& description, std::span<const double> times, const ReferenceEffort& effort) {
+std::optional<Reference> exact_reference(const RunDescription& description, std::span<const double> times) {
     const RunDescription held = as_held(description);
-    const auto exact = exact_until(held, times);
-    if (!exact) return refined(held, times, effort);
+    const auto exact = exact_of(held);
+    if (!exact || (!times.empty() && times.back() > exact->valid_until())) return std::nullopt;
     Reference reference{.moments = {}, .how = "exact solution", .exact = true};
     const auto particles = static_cast<std::size_t>(model_of(held).particles(held.scene));
     for (const double time : times) reference.moments.push_back(exact_moment(*exact, particles, time));
     return reference;
+}
+
+Reference reference(const RunDescription& description, std::span<const double> times, const ReferenceEffort& effort) {
+    auto exact = exact_reference(description, times);
+    return exact ? std::move(*exact) : reference_run(description, times, effort);
 }
 
 Reference reference_run(const RunDescription& description, std::span<const double> times,

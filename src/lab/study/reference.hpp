@@ -32,6 +32,7 @@ struct ReferenceEffort {
     double most_particle_evaluations = 2e7;
     double first_phase = 2;  ///< omega_max times the step of the coarsest run
     int most_refinements = 12;
+    double least_gain = 0;  ///< a refinement that makes the error less than so many times smaller is the last one
     /// Called every few steps with the number of the run, from 1, and the fraction of it that is done; may throw to end
     /// it.
     std::function<void(int run, double part)> progress = nullptr;
@@ -45,6 +46,9 @@ struct ReferenceEffort {
 /// Throws UsageError, Interrupted.
 Reference reference(const RunDescription& description, std::span<const double> times,
                     const ReferenceEffort& effort = {});
+
+/// The same if a closed form is valid until the last of the times; else none.
+std::optional<Reference> exact_reference(const RunDescription& description, std::span<const double> times);
 
 /// The same by a run, even if a closed form is known: each checks the other.
 Reference reference_run(const RunDescription& description, std::span<const double> times,

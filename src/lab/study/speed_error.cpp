@@ -2,18 +2,16 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "core/watching.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/parallel.hpp"
+#include "lab/study/patience.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/linearised.hpp"
 #include "sim/run/memory.hpp"
 #include "sim/run/starting.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <exception>
 #include <iterator>
 #include <mutex>
 #include <optional>
@@ -39,22 +37,6 @@ public:
 private:
     double most_;
     double seconds_a_step_ = 0;
-};
-
-/// A run that takes much longer than runs may is not waited for: a step of an implicit method may take seconds.
-class PatienceEnds : public std::exception {};
-
-/// Ends what is computed on this thread in so many seconds.
-class Patience {
-public:
-    explicit Patience(double seconds)
-        : watching_([end = Clock::now() + std::chrono::duration<double>(seconds)] {
-              if (Clock::now() > end) throw PatienceEnds();
-          }) {}
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Watching watching_;
 };
 
 class Series {
@@ -209,6 +191,7 @@ Reference reference_for(const StudyPlan& plan, double error, const std::function
     ReferenceEffort effort;
     effort.error = std::max(effort.error, error);
     effort.progress = progress;
+    effort.least_gain = plan.least_reference_gain;
     effort.most_particle_evaluations *= plan.reference_effort;
     effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, expensive_partners / partners(scene));
     return reference(scene, std::vector{plan.time}, effort);

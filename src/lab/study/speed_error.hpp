@@ -22,6 +22,7 @@ struct StudyPlan {
     std::uint64_t most_steps_a_run = 1'000'000'000;  ///< a series also ends before a run takes more steps
     double ratio = 2;                                ///< of neighbouring dt in a series, > 1
     double reference_effort = 1;                     ///< part of the usual one
+    double least_reference_gain = 0;                 ///< ReferenceEffort's
     bool brief = false;                              ///< what takes long and shows little is left out
     int rounds = 3;                                  ///< number of interleaved rounds in which each run is timed
 };

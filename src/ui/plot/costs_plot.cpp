@@ -86,7 +86,10 @@ void work_precision_plot(Plot& plot, const Context& context, Cost cost) {
     if (!costs) return;
     if (costs->points.empty() && costs->complete) plot.empty = costs->how;
     plot.y.name = fmt::format("error after {} s", setting_text(costs->time));
-    if (!costs->complete) plot.y.name += fmt::format(", {:.0f} % of the series", 100 * costs->done);
+    if (costs->provisional)
+        plot.y.name += ", first estimate";
+    else if (!costs->complete)
+        plot.y.name += fmt::format(", {:.0f} % of the series", 100 * costs->done);
     add_series(plot, context, *costs, cost);
     if (costs->points.size() > 1) plot.curves.push_back(front_of(*costs, cost));
     add_runs(plot, context, *costs, cost);

@@ -1,5 +1,6 @@
 #include "lab/study/cost_scan.hpp"
 
+#include "lab/study/quick_reference.hpp"
 #include "lab/study/study.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,7 @@ std::vector<CostPoint> all_points(CostScan& scan, std::size_t most = 1000) {
     while (points.size() < most) {
         const auto point = scan.next();
         if (!point) break;
-        points.push_back(*point);
+        put(points, *point);
     }
     return points;
 }
@@ -78,6 +80,7 @@ TEST(CostScan, points_have_the_errors_that_a_report_has) {
         const Reference reference = reference_for(plan);
         int compared = 0;
         for (const CostPoint& point : all_points(scan, 60)) {
+            ASSERT_FALSE(point.provisional) << "each came once more";
             SCOPED_TRACE(command_line(point.run));
             const std::uint64_t steps = run_end(point.run, scan.time()).step;
             const Measurement reported = measure(point.run, steps, reference);
@@ -143,9 +146,65 @@ TEST(CostScan, tells_what_a_run_of_ones_own_costs) {
     EXPECT_TRUE(scan.cost_of(beyond)) << "its dt is shortened to the time of the scan";
 }
 
+// There is something to see at once, and nothing of it stays where the reference is better.
+TEST(CostScan, first_points_are_against_a_quick_reference_and_come_once_more) {
+    CostScan scan(describe("morse"));
+    EXPECT_FALSE(scan.provisional()) << "nothing is known";
+    std::vector<CostPoint> first, once_more;
+    auto point = scan.next();
+    for (; point && point->provisional; point = scan.next()) {
+        EXPECT_TRUE(scan.provisional());
+        EXPECT_EQ(scan.done(), 0);
+        first.push_back(*point);
+    }
+    const std::string how = scan.how();
+    ASSERT_TRUE(point);
+    ASSERT_GE(first.size(), 20u);
+    for (; once_more.size() < first.size(); point = scan.next()) once_more.push_back(point.value());
+    EXPECT_NE(how.find("long double"), std::string::npos) << how;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_EQ(first[i].run, once_more[i].run);
+        EXPECT_FALSE(once_more[i].provisional);
+        EXPECT_NEAR(first[i].error, once_more[i].error, 1e-3 * once_more[i].error + 1e-9)
+            << "the quick reference is better than coarse runs";
+    }
+}
+
+TEST(CostScan, of_a_closed_form_is_never_provisional) {
+    CostScan scan(oscillator());
+    for (const CostPoint& point : all_points(scan, 60)) EXPECT_FALSE(point.provisional);
+}
+
+// A cut-off keeps long double's order 16 from being any use; the quick reference is better there.
+TEST(CostScan, of_forces_with_a_kink_has_the_better_reference) {
+    RunDescription scene = describe("crystal");
+    const double time = CostScan::time_for(scene);
+    const auto quick = quick_reference(scene, time, 1e8);
+    ASSERT_TRUE(quick);
+    const Reference slow = reference(scene, std::span(&time, 1), {.most_refinements = 1});
+    EXPECT_LT(quick->moments.back().error, slow.moments.back().error / 10);
+}
+
+TEST(CostScan, a_point_takes_the_place_of_a_provisional_one_of_the_same_run) {
+    std::vector<CostPoint> points;
+    put(points, {.run = oscillator(), .error = 1, .provisional = true});
+    put(points, {.run = with_method(oscillator(), "euler"), .error = 2});
+    put(points, {.run = oscillator(), .error = 3});
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[0].error, 3);
+    put(points, {.run = oscillator(), .error = 4});
+    EXPECT_EQ(points.size(), 3u) << "what is not provisional stays";
+}
+
+// Every first run is put off, and then given up.
+TEST(CostScan, ends_where_every_run_takes_too_long) {
+    CostScan scan(oscillator(), std::nullopt, 0);
+    EXPECT_FALSE(scan.next());
+    EXPECT_EQ(scan.done(), 1);
+}
+
 TEST(CostScan, of_every_model_has_points) {
     for (const Model& model : models()) {
-        if (model.info.id == "crystal") continue;  // its reference takes seconds
         CostScan scan(describe(model.info.id, "rk4"));
         EXPECT_EQ(all_points(scan, 5).size(), 5u) << model.info.id;
     }
