@@ -3,6 +3,7 @@
 #include "ui/plot/run_curves.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace steplab::ui {
@@ -15,17 +16,22 @@ constexpr double visible = 2e-3;
 
 bool is_known(const ExactPoint& point) { return !std::isnan(point.displacement.x); }
 
-/// Fewer between many samples, so that all points are a few times the samples at most.
-int parts_between(std::size_t samples) {
-    constexpr std::size_t most_points = 4 * RunSamples::most;
-    return static_cast<int>(std::clamp<std::size_t>(most_points / std::max<std::size_t>(samples, 1), 4, 16));
+/// Fewer between many samples, so that all points are a few times the samples at most; and of many particles, all of
+/// which are summed up for each point, so few that the whole curve takes no longer than that of `usual` ones. Powers of
+/// two, then: with another number the curve begins again.
+std::size_t parts_between(std::size_t samples, std::size_t particles) {
+    constexpr std::size_t most_points = 4 * RunSamples::most, usual = ExactCurve::most_particles_in_full;
+    const std::size_t count = std::max<std::size_t>(samples, 1);
+    const std::size_t parts = std::clamp<std::size_t>(most_points / count, 4, 16);
+    if (particles <= usual) return parts;
+    return std::clamp<std::size_t>(std::bit_floor(most_points * usual / particles / count), 1, parts);
 }
 
 }  // namespace
 
 std::span<const ExactPoint> ExactCurve::of(const SampleSeries& series, std::size_t place,
                                            const std::optional<ExactMotion>& motion, std::size_t particles) {
-    const int parts = particles <= most_particles ? parts_between(series.samples.size()) : 1;
+    const std::size_t parts = parts_between(series.samples.size(), particles);
     if (!is_of(series, motion, parts)) *this = {};
     stretch_ = series.stretch;
     motion_ = motion ? motion : motion_;
@@ -35,7 +41,7 @@ std::span<const ExactPoint> ExactCurve::of(const SampleSeries& series, std::size
     return known_ ? points_ : std::span<const ExactPoint>();
 }
 
-bool ExactCurve::is_of(const SampleSeries& series, const std::optional<ExactMotion>& motion, int parts) const {
+bool ExactCurve::is_of(const SampleSeries& series, const std::optional<ExactMotion>& motion, std::size_t parts) const {
     return series.stretch == stretch_ && used_ <= series.samples.size() && parts == parts_ &&
            (!motion || motion == motion_);
 }
@@ -70,7 +76,8 @@ void ExactCurve::fill(const ExactPoint& to) {
         return length(off) > visible * farthest_ || length(faster) > visible * fastest_;
     };
     if (!is_off(0.25) && !is_off(0.5) && !is_off(0.75)) return;
-    for (int i = 1; i < parts_; ++i) points_.push_back(point_at(between(static_cast<double>(i) / parts_)));
+    for (std::size_t i = 1; i < parts_; ++i)
+        points_.push_back(point_at(between(static_cast<double>(i) / static_cast<double>(parts_))));
 }
 
 }  // namespace steplab::ui

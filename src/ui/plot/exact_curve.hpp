@@ -23,8 +23,9 @@ struct ExactPoint {
 /// where it is not straight, as where a step is a good part of a period. Its points depend on the samples alone.
 class ExactCurve {
 public:
-    /// Of scenes of more particles, all of which are summed up for each point, there are none between samples.
-    static constexpr std::size_t most_particles = 256;
+    /// Of scenes of more particles, all of which are summed up for each point, there are fewer points between samples,
+    /// and none between many.
+    static constexpr std::size_t most_particles_in_full = 256;
 
     /// Of the particle in this place of the samples. None where no exact solution was known at any of them. `motion`:
     /// as it is known now; what was found stays when it is not known any more.
@@ -32,14 +33,14 @@ public:
                                    const std::optional<ExactMotion>& motion, std::size_t particles);
 
 private:
-    bool is_of(const SampleSeries& series, const std::optional<ExactMotion>& motion, int parts) const;
+    bool is_of(const SampleSeries& series, const std::optional<ExactMotion>& motion, std::size_t parts) const;
     void add(double time, const Sample::Particle* known);
     void fill(const ExactPoint& to);
     ExactPoint point_at(double time) const;
 
     std::shared_ptr<const int> stretch_;
     std::optional<ExactMotion> motion_;
-    int parts_ = 1;  ///< of the time between two samples where the motion is not straight
+    std::size_t parts_ = 1;  ///< of the time between two samples where the motion is not straight
     std::size_t used_ = 0;
     bool known_ = false;
     double farthest_ = 0, fastest_ = 0;  ///< at the samples

@@ -131,11 +131,22 @@ TEST(exact_curve, is_found_again_for_other_samples_and_another_particle) {
     EXPECT_EQ(points[1].displacement, *neighbour->displacement(points[1].time));
 }
 
-TEST(exact_curve, of_a_large_scene_is_that_of_the_samples) {
-    const Known known = known_of("chain", 1.2, 30);
-    ExactCurve curve;
-    EXPECT_EQ(curve.of(known.series, 0, known.motion, ExactCurve::most_particles + 1).size(),
-              known.series.samples.size());
+// Few steps of a large scene have no corners either; of many the curve takes no longer than that of a small scene.
+TEST(exact_curve, of_a_large_scene_has_as_many_points_as_it_has_time_for) {
+    const Known known = known_of("chain", 1.2, 300);
+    const std::size_t samples = known.series.samples.size(), in_full = points_of(known).size();
+    std::size_t before = in_full;
+    for (const std::size_t particles : {1000u, 4000u, 20000u, 1000000u}) {
+        ExactCurve curve;
+        const std::size_t points = curve.of(known.series, 0, known.motion, particles).size();
+        EXPECT_LE(points, before) << particles;
+        EXPECT_LE((points - samples) * particles, 4 * RunSamples::most * ExactCurve::most_particles_in_full);
+        before = points;
+    }
+    ExactCurve thousand, million;
+    const std::size_t gaps = (in_full - samples) / 15;
+    EXPECT_GE(thousand.of(known.series, 0, known.motion, 1000).size(), samples + 3 * gaps) << "four parts or more";
+    EXPECT_EQ(million.of(known.series, 0, known.motion, 1000000).size(), samples);
 }
 
 TEST(exact_curve, is_none_where_no_closed_form_is_known) {
