@@ -238,7 +238,8 @@ bool Curve::has_marks(bool few) const {
 }
 
 std::string text_of(const Quantity& quantity) {
-    return quantity.unit.empty() ? quantity.name : quantity.name + " [" + quantity.unit + "]";
+    const std::string name = quantity.part.empty() ? quantity.name : quantity.name + ", " + quantity.part;
+    return quantity.unit.empty() ? name : name + " [" + quantity.unit + "]";
 }
 
 bool has_values(const Plot& plot) { return !extent_up(plot).empty(); }

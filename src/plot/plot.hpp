@@ -70,11 +70,12 @@ struct Moment {
 struct Quantity {
     std::string name = {};
     std::string unit = {};
+    std::string part = {};  ///< which part of it is shown, if that is not said by a person
     Scale scale = Scale::linear;
     std::optional<Range> range = {};  ///< none: that of the data
     Numbers numbers = Numbers::typed;
 };
-/// "position error [m]".
+/// "position error [m]", "time, latest part [s]".
 std::string text_of(const Quantity& quantity);
 
 /// The content of a plot, with everything that its picture says. It is drawn by draw_plot() of the

@@ -219,6 +219,7 @@ void add_time(Plot& plot, const Context& context, PlotKind kind) {
     const SampleSeries& series = context.view.series;
     plot.x.range = context.state.plots.window;
     if (!plot.x.range && oscillates) plot.x.range = recent(series);
+    if (plot.x.range && !context.state.plots.window) plot.x.part = "latest part";
     if (!plot.x.range) plot.x.range = from_start(plot);
     for (const Mark& change : context.session.line.changes) plot.moments.push_back({change.time, change.text});
     if (!series.samples.empty() && context.view.frame.step < series.samples.back().step)

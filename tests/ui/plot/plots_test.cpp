@@ -78,6 +78,20 @@ TEST(plots, of_a_whole_run_begin_at_its_start) {
         << "what was sampled later begins there";
 }
 
+// Of what oscillates, all of a long run would be a bar.
+TEST(plots, that_show_the_latest_part_of_a_run_say_so) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    auto& samples = recorded.desk.view.series.samples;
+    for (Sample next = samples.back(); samples.size() < 1000; samples.push_back(next)) next.time += 0.1, ++next.step;
+    recorded.desk.frame();
+    EXPECT_NE(saved_svg(recorded.desk, 1, "displacement").find("time, latest part [s]"), std::string::npos);
+    EXPECT_NE(saved_svg(recorded.desk, 1).find(">time [s]<"), std::string::npos);
+    samples.resize(500);
+    recorded.desk.frame();
+    EXPECT_NE(saved_svg(recorded.desk, 2, "displacement").find(">time [s]<"), std::string::npos);
+}
+
 TEST(plots, name_the_runs_in_their_order_within_the_frame) {
     Recorded recorded("chain");
     Desk& desk = recorded.desk;
