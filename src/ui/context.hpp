@@ -157,7 +157,7 @@ struct Context {
     /// The camera and the area of the leading run.
     render::Projection projection() const;
     /// True in a picture of the window, which has nothing of the pointer and nothing that passes.
-    bool is_saved() const { return purpose == Purpose::window_picture || purpose == Purpose::plot_picture; }
+    bool is_saved() const { return purpose == Purpose::window_picture; }
     /// The run description that the panels show and change.
     const RunDescription& description() const { return state.wanted.description(); }
     void ask(const RunDescription& description) const { state.wanted.ask(description, events); }

@@ -26,11 +26,10 @@ struct PixelRect {
 
 /// What a frame of the interface is drawn for.
 enum class Purpose {
-    use,             ///< the window
-    still,           ///< a picture drawn without a window
-    scene_still,     ///< the same of the scene alone
-    window_picture,  ///< a picture of the window, without pointer, notice and menu
-    plot_picture     ///< a picture of a plot in the window: without cards over it, either
+    use,            ///< the window
+    still,          ///< a picture drawn without a window
+    scene_still,    ///< the same of the scene alone
+    window_picture  ///< a picture of the window, without pointer, notice and menu
 };
 
 /// Times measured by a running window. A snapshot shows none of them.
@@ -63,7 +62,7 @@ struct Request {
     std::string text = {};  ///< copy_text: the text for the clipboard; open_scene: a path, or the name of a shipped
                             ///< scene; open_lesson: the name of a shipped lesson; open_page: that of a page of docs/
     std::string file = {};  ///< save_snapshot: path; empty: a new name
-    PixelRect part = {};    ///< save_snapshot: the place of a plot; what was chosen for pictures if its width is 0
+    std::string plot = {};  ///< save_snapshot: the name of a plot; empty: what was chosen for pictures
 };
 
 /// Where a widget was drawn, in pixels of the display. Tests find widgets by name.

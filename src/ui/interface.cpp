@@ -44,6 +44,20 @@ void leave_out_menus() {
         if (window->Active && (window->Flags & ImGuiWindowFlags_Popup) != 0) window->DrawList->_ResetForNewFrame();
 }
 
+/// Right of the window, so that neither lies over the other: as large as the plots are, and no smaller than what is
+/// written in one takes.
+PicturedPlot pictured_plot(const std::string& name, const Area& plots, const Display& display) {
+    constexpr float least_width = 960, least_height = 540;
+    return {name, Area{static_cast<float>(display.width), 0, std::max(plots.width, least_width * display.scale),
+                       std::max(plots.height, least_height * display.scale)}};
+}
+
+/// Of all that is drawn.
+ImVec2 size_of(const Display& display, const std::optional<PicturedPlot>& plot) {
+    const auto width = static_cast<float>(display.width), height = static_cast<float>(display.height);
+    return plot ? ImVec2{plot->area.right(), std::max(height, plot->area.bottom())} : ImVec2{width, height};
+}
+
 /// What lies over all else.
 void draw_messages(const Context& context) {
     draw_notices(context);
@@ -68,7 +82,6 @@ void draw_panels(const Context& context) {
     draw_pointed(context);
     draw_read_out(context);
     draw_hands(context);
-    if (context.purpose == Purpose::plot_picture) return;
     draw_lost_card(context);
     draw_divergence_card(context);
     draw_messages(context);
@@ -165,19 +178,29 @@ void Interface::draw_still(const SessionView& view, Stage stage, bool scene_alon
     for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_events, stage, {}, purpose, caption);
 }
 
-void Interface::draw_picture(const SessionView& view, Stage stage, bool plot_alone) {
+void Interface::draw_picture(const SessionView& view, Stage stage) {
     NoEvents no_events;
     const Measured measured{.frame_seconds = body_->frame_seconds, .since_last_frame = 1e-6};
     ImGui::SetCurrentContext(body_->context.get());
     const PointerAway away(ImGui::GetIO());
-    const Purpose purpose = plot_alone ? Purpose::plot_picture : Purpose::window_picture;
     // What is on the screen stays where it is: the picture has places of its own.
     const WidgetMap on_screen = body_->widgets;
     const bool unsettled = body_->unsettled;
-    for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_events, stage, measured, purpose);
+    for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_events, stage, measured, Purpose::window_picture);
     leave_out_menus();
     body_->widgets = on_screen;
     body_->unsettled = unsettled;
+}
+
+PixelRect Interface::draw_plot_picture(const SessionView& view, Stage stage, const std::string& plot) {
+    PlotsState& plots = body_->state.plots;
+    const auto legends = plots.legends;
+    plots.pictured = pictured_plot(plot, body_->layout.plots, body_->display);
+    const PixelRect place = pixels(plots.pictured->area);
+    draw_picture(view, stage);
+    plots.pictured.reset();
+    plots.legends = legends;
+    return place;
 }
 
 void Interface::draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured,
@@ -185,7 +208,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     Body& body = *body_;
     ImGui::SetCurrentContext(body.context.get());
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(body.display.width), static_cast<float>(body.display.height)};
+    io.DisplaySize = size_of(body.display, body.state.plots.pictured);
     io.DeltaTime = static_cast<float>(measured.since_last_frame);
     body.theme.set_background(stage.style.background);
     body.frame_seconds = measured.frame_seconds;

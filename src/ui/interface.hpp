@@ -89,9 +89,11 @@ public:
     /// caption takes the foot of it.
     void draw_still(const SessionView& view, Stage stage, bool scene_alone = false,
                     const std::optional<Caption>& caption = std::nullopt);
-    /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and open menu;
-    /// `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
-    void draw_picture(const SessionView& view, Stage stage, bool plot_alone);
+    /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and open menu. The next
+    /// draw() goes on as if nothing had been.
+    void draw_picture(const SessionView& view, Stage stage);
+    /// The same, and beside it a plot of this name, large enough for all that is written in it: the place of that.
+    PixelRect draw_plot_picture(const SessionView& view, Stage stage, const std::string& plot);
 
     /// How much of a still its caption takes, in pixels.
     int caption_height(const SessionView& view, const Caption& caption) const;

@@ -15,7 +15,13 @@ Desk::Desk(const RunDescription& description, const Display& display) : interfac
 
 void Desk::frame() { interface.draw(session, recorder, {camera, style}); }
 
-void Desk::picture(bool plot_alone) { interface.draw_picture(session, {camera, style}, plot_alone); }
+void Desk::picture() { interface.draw_picture(session, {camera, style}); }
+
+WidgetRect Desk::plot_picture(const std::string& plot) {
+    const PixelRect place = interface.draw_plot_picture(session, {camera, style}, plot);
+    const auto x = static_cast<float>(place.x), y = static_cast<float>(place.y);
+    return {x, y, x + static_cast<float>(place.width), y + static_cast<float>(place.height)};
+}
 
 void Desk::show(const RunView& newer) {
     view = newer;

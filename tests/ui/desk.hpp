@@ -17,8 +17,10 @@ public:
 
     /// One frame with the input that is set.
     void frame();
-    /// The frames of a picture of the window, or of a plot in it.
-    void picture(bool plot_alone = false);
+    /// The frames of a picture of the window.
+    void picture();
+    /// Of a plot alone: its place.
+    WidgetRect plot_picture(const std::string& plot);
     /// Another view of the run, recorded as the newest.
     void show(const RunView& newer);
     /// Where a widget is; fails the test, naming those there are, if it is not drawn.

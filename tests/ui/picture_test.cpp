@@ -1,10 +1,11 @@
-#include "ui/desk.hpp"
+#include "ui/plot/recorded.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ std::string drawn(const Desk& desk) {
 
 /// A desk with a run of some steps, so that its plots have curves.
 struct RecordedPictures {
-    RecordedPictures() : desk(describe("chain")) {
+    explicit RecordedPictures(const Display& display = {1280, 1200, 1}) : desk(describe("chain"), display) {
         Simulation simulation(describe("chain"));
         for (int i = 0; i < 20; ++i) {
             simulation.advance(1);
@@ -32,8 +33,8 @@ struct RecordedPictures {
         }
         desk.recorder = {};
     }
-    std::string picture(bool plot_alone = false) {
-        desk.picture(plot_alone);
+    std::string picture() {
+        desk.picture();
         return drawn(desk);
     }
     Desk desk;
@@ -82,14 +83,40 @@ TEST(picture, holds_no_notice_and_no_menu) {
     EXPECT_TRUE(desk.has("notice")) << "in the window it is still there";
 }
 
-TEST(picture, of_a_plot_holds_no_card_over_it_and_one_of_the_window_does) {
+// A tile of a small window has room for little: the picture says all the same what it is of.
+TEST(picture, of_a_plot_is_the_same_whatever_the_size_of_the_window_and_of_its_tile) {
+    std::set<int> vertices;
+    Recorded recorded("chain");
+    for (const Display& display : {Display{640, 480, 1}, Display{1000, 600, 1}, Display{900, 900, 1}}) {
+        recorded.desk.interface.resize(display);
+        recorded.desk.frame();
+        const WidgetRect place = recorded.desk.plot_picture("energy error");
+        EXPECT_GE(place.left, static_cast<float>(display.width)) << "it does not lie over the window";
+        EXPECT_EQ(place.right - place.left, 960);
+        EXPECT_EQ(place.bottom - place.top, 540);
+        vertices.insert(recorded.desk.vertices_within(place));
+    }
+    EXPECT_EQ(vertices.size(), 1u);
+    EXPECT_GT(*vertices.begin(), 500) << "with axes and their numbers, a curve, a legend and a caption";
+}
+
+TEST(picture, of_a_plot_holds_no_card_that_lies_over_it_in_the_window) {
     RecordedPictures recorded;
-    const std::string clean = recorded.picture(true);
+    const int clean = recorded.desk.vertices_within(recorded.desk.plot_picture("displacement"));
     const std::string window = recorded.picture();
     recorded.desk.frame();
     recorded.desk.key(Key::f1);
-    EXPECT_EQ(recorded.picture(true), clean);
+    EXPECT_EQ(recorded.desk.vertices_within(recorded.desk.plot_picture("displacement")), clean);
     EXPECT_NE(recorded.picture(), window);
+}
+
+TEST(picture, of_a_plot_leaves_its_tile_as_it_is) {
+    RecordedPictures recorded({640, 480, 1});
+    recorded.desk.frame();
+    const std::string window = recorded.picture();
+    recorded.desk.plot_picture("energy error");
+    EXPECT_EQ(recorded.picture(), window);
+    EXPECT_EQ(recorded.desk.vertices_within({641, 0, 3000, 3000}), 0) << "nothing is left beside the window";
 }
 
 TEST(picture, holds_no_button_that_saves_plots) {
@@ -98,7 +125,7 @@ TEST(picture, holds_no_button_that_saves_plots) {
     desk.frame();
     const WidgetRect button = desk.widget("displacement.save");
     EXPECT_GT(desk.vertices_within(button), 0);
-    desk.picture(true);
+    desk.picture();
     EXPECT_EQ(desk.vertices_within(button), 0);
 }
 

@@ -64,9 +64,12 @@ void Viewer::save_snapshot(const ui::Request& request) {
     }
     const std::string name =
         request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
-    interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()}, request.part.width > 0);
+    const ui::Stage stage{camera_, style_, painted_.view.get()};
+    ui::PixelRect plot;
+    request.plot.empty() ? interface_.draw_picture(*view_, stage)
+                         : void(plot = interface_.draw_plot_picture(*view_, stage, request.plot));
     try {
-        const Picture picture = picture_.read(shot(request.part, false));
+        const Picture picture = picture_.read(shot(plot, false));
         OutputFile out(name);
         out.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         out.commit();
@@ -105,7 +108,7 @@ void Viewer::take_film_frame() {
     const std::uint64_t frames = worker_->film_frames();
     if (frames <= film_->frames() || painted_.view != view_ || painted_.enlarged > 1) return;
     if (!interface_.picture_choice().scene_alone)
-        interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()}, false);
+        interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()});
     const WindowPicture::Shot frame = shot({}, true);
     const render::PictureSize size{frame.part.width, frame.part.height + frame.caption_height};
     if (size != film_->format().size) {

@@ -242,6 +242,20 @@ void draw_chosen(const Context& context, const Slot& slot) {
     draw_header(context, plot, slot);  // may take it away
 }
 
+void begin_plots(const char* name, const Area& area) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::backdrop);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void end_plots() {
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
 /// Brings a plot that has no room to where plots are shown.
 void show(PlotsState& plots, std::size_t number, const PlotPlaces& places) {
     if (number < places.first) plots.first = number;
@@ -266,26 +280,32 @@ void draw_plot_tabs(const Context& context, const PlotPlaces& places) {
     }
 }
 
+/// On its own, beside all else.
+void draw_pictured_plot(const Context& context, const PicturedPlot& pictured) {
+    const auto& shown = context.state.plots.shown;
+    const auto chosen = std::find_if(
+        shown.begin(), shown.end(), [&](const PlotChoice& choice) { return info_of(choice.kind).id == pictured.name; });
+    if (chosen == shown.end()) return;
+    begin_plots("plot", pictured.area);
+    draw_chosen(context, {static_cast<std::size_t>(chosen - shown.begin()), pictured.area});
+    end_plots();
+}
+
 }  // namespace
 
 void draw_plots_panel(const Context& context) {
+    if (const auto& pictured = context.state.plots.pictured) draw_pictured_plot(context, *pictured);
     ask_for_samples(context);
     const PlotPlaces places = places_of(context);
     ask_for_costs(context, places);
     const Area& area = context.layout.plots;
     if (area.empty()) return;
-    ImGui::SetNextWindowPos({area.x, area.y});
-    ImGui::SetNextWindowSize({area.width, area.height});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::backdrop);
-    ImGui::Begin("plots", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    begin_plots("plots", area);
     if (!places.tabs.empty()) draw_plot_tabs(context, places);
     for (std::size_t i = 0; i < places.plots.size() && places.first + i < context.state.plots.shown.size(); ++i)
         draw_chosen(context, {places.first + i, places.plots[i],
                               i + 1 == places.plots.size() && context.state.plots.shown.size() < PlotsState::most});
-    ImGui::End();
-    ImGui::PopStyleColor();
+    end_plots();
 }
 
 }  // namespace steplab::ui

@@ -111,6 +111,12 @@ inline PlotChoice default_choice(PlotKind kind) {
 }
 
 /// The plots below the scene.
+/// A plot that is drawn on its own, for a picture of it.
+struct PicturedPlot {
+    std::string name = {};
+    plot::Box area = {};
+};
+
 struct PlotsState {
     static constexpr std::size_t most = plot_kinds.size();
 
@@ -122,6 +128,7 @@ struct PlotsState {
     SceneLaws laws = {};
     std::array<ExactCurve, Sample::most_particles> exact = {};  ///< of tracked particles, in their order
     std::map<std::string, plot::Corner> legends = {};           ///< where they stand, by the plot's name
+    std::optional<PicturedPlot> pictured = {};                  ///< drawn beyond the edge of the window, too
 };
 
 }  // namespace steplab::ui

@@ -158,6 +158,7 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
     }
     text += bands_at(plot, layout.axes, {pointer.x, pointer.y});
     tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
+    context.mark(plot.name + ".values", {area.x, area.y, area.right(), area.bottom()});
 }
 
 /// In the middle of the frame, in as many lines as it takes.
@@ -170,14 +171,14 @@ void draw_empty(const Context& context, const Plot& plot, const Area& frame) {
                                         plot.empty.c_str(), nullptr, room);
 }
 
-void draw_save_menu(const Context& context, const Plot& plot, const Area& area) {
+void draw_save_menu(const Context& context, const Plot& plot) {
     if (!ImGui::BeginPopup("save")) return;
     close_if_asked(context);
     if (ImGui::MenuItem("Save as CSV")) save_table(context, plot);
     context.mark(plot.name + ".csv");
     if (ImGui::MenuItem("Save as SVG")) save_drawing(context, plot);
     context.mark(plot.name + ".svg");
-    if (ImGui::MenuItem("Save as PNG")) save_snapshot(context, plot, area);
+    if (ImGui::MenuItem("Save as PNG")) save_snapshot(context, plot);
     context.mark(plot.name + ".png");
     ImGui::EndPopup();
 }
@@ -190,11 +191,12 @@ bool save_button(const Context& context, const Plot& plot, const Area& area) {
                        ButtonStyle::quiet);
 }
 
-/// The name of the axis across in so much room, if need be without what it says in brackets.
+/// The name of the axis across in so much room, if need be without the part of it and what it says in brackets.
 std::string name_across(const Plot& plot, float room) {
     plot::Quantity axis = plot.x;
-    if (ImGui::CalcTextSize(text_of(axis).c_str()).x > room)
-        axis.name.resize(std::min(axis.name.size(), axis.name.find(" (")));
+    const auto is_too_long = [&] { return ImGui::CalcTextSize(text_of(axis).c_str()).x > room; };
+    if (is_too_long()) axis.part.clear();
+    if (is_too_long()) axis.name.resize(std::min(axis.name.size(), axis.name.find(" (")));
     return shortened(text_of(axis), room);
 }
 
@@ -256,7 +258,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area, bool 
         draw_legend(context, plot, frame, {}, 0, title_in_frame);
         draw_empty(context, plot, frame);
     }
-    draw_save_menu(context, plot, area);
+    draw_save_menu(context, plot);
 }
 
 }  // namespace steplab::ui

@@ -43,10 +43,10 @@ void save_drawing(const Context& context, const plot::Plot& plot) {
     save_text(context, free_name(std::filesystem::path(), plot.name, "svg"), plot::svg(plot));
 }
 
-void save_snapshot(const Context& context, const plot::Plot& plot, const Area& area) {
+void save_snapshot(const Context& context, const plot::Plot& plot) {
     context.request({.kind = Request::Kind::save_snapshot,
                      .file = free_name(std::filesystem::path(), plot.name, "png"),
-                     .part = pixels(area)});
+                     .plot = plot.name});
 }
 
 }  // namespace steplab::ui

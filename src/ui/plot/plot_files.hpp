@@ -13,8 +13,8 @@ namespace steplab::ui {
 void save_table(const Context& context, const plot::Plot& plot);
 /// The same with its picture as SVG, which needs no window and no screen.
 void save_drawing(const Context& context, const plot::Plot& plot);
-/// Requests a snapshot of the part of the window with the plot.
-void save_snapshot(const Context& context, const plot::Plot& plot, const Area& area);
+/// Requests a picture of the plot alone.
+void save_snapshot(const Context& context, const plot::Plot& plot);
 
 /// The first of "steplab-NAME-1.END", "steplab-NAME-2.END" ... that does not exist in the folder, so that no file is
 /// overwritten.
