@@ -146,6 +146,55 @@ plots_are_chosen_and_saved() {
     close_window
 }
 
+# saved_table FILE OPTION...: the energy error of a run of some hundred steps in a window with these options.
+saved_table() {
+    open_window --model chain --method velocity-verlet --dt 0.1 --play "${@:2}"
+    expect 'step [1-9][0-9]{2}'
+    xdotool key space; expect 'playing false'
+    click 'energy error.save'; expect 'widget energy error.csv [0-9].*'; click 'energy error.csv'
+    expect 'widget energy error.csv gone'
+    mv "$folder/steplab-energy-error-1.csv" "$1"
+    close_window
+    rm "$folder/trace"
+}
+
+# As many steps for each frame, or far more: the same rows.
+plots_have_the_same_rows_at_any_rate() {
+    start_display 1280x800
+    saved_table "$folder/slow" --speed 2
+    saved_table "$folder/fast" --speed 16 --size 1280x790
+    local rows slow fast
+    slow=$(wc -l <"$folder/slow") fast=$(wc -l <"$folder/fast")
+    rows=$((slow < fast ? slow : fast))
+    ((rows > 100)) || fail "only $rows rows"
+    cmp -s <(head -n $rows "$folder/slow") <(head -n $rows "$folder/fast") || fail 'the rows depend on the rate'
+}
+
+plots_tell_values_under_the_pointer() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 0.1
+    xdotool key Right Right Right; expect 'pictured 3'
+    point_at 'energy error'; expect 'widget energy error.values [0-9].*'
+    xdotool mousemove 700 300; expect 'widget energy error.values gone'
+    close_window
+}
+
+diagram_points_become_runs() {
+    start_display 1280x800
+    printf 'version = 1\nplots = [{kind = "speed against error", scale = "logarithmic"}]\n' >"$folder/view.toml"
+    config=$folder/view.toml open_window --model oscillator
+    expect 'costs complete'
+    local times
+    for ((times = 0; times < 12; ++times)); do # where points are is said while the keyboard is at the plots
+        xdotool key F6
+        comes 2 'widget speed against error.point/rk4, dt [^ ]* s, double [0-9].*' && break
+    done
+    local point
+    point=$(printf '%s\n' "${!place[@]}" | grep 'point/rk4, dt' | head -n 1)
+    click "$point"; expect 'runs rk4 double 0.1, rk4 double [0-9.e-]*'
+    close_window
+}
+
 runs_go_beside_each_other() {
     start_display 1280x800
     open_window --model chain --method rk4 --dt 0.1
