@@ -51,9 +51,16 @@ struct Notice {
 /// The notice that a file was saved, with its whole path.
 Notice notice_of_saved(const std::string& file);
 
+/// A particle that keys pull, and the place that it is to be seen at.
+struct KeyPull {
+    std::size_t particle = 0;
+    Vec3 place;
+};
+
 /// What the pointer does with particles.
 struct Hands {
     std::optional<std::size_t> pulled;       ///< the particle that follows the pointer
+    std::optional<KeyPull> by_keys;          ///< while the keys of a pull are held
     bool moved = false;                      ///< the pointer has, since that was taken hold of
     std::optional<std::uint64_t> tugged_at;  ///< the step seen at the last tug of the present hold
     std::optional<std::uint64_t> pulled_in;  ///< the last run in which something was done to a particle

@@ -247,6 +247,26 @@ TEST(keys, of_the_camera_turn_move_and_zoom_it) {
     EXPECT_TRUE(desk.recorder.rates.empty());
 }
 
+TEST(keys, with_shift_move_the_edges_of_panel_and_plots) {
+    Desk desk;
+    const PixelRect usual = desk.interface.scene();
+    desk.camera.yaw += 50;
+    const render::Camera camera = desk.camera;
+    desk.key(Key::right, false, true);
+    EXPECT_EQ(desk.interface.scene().x, usual.x + 20) << "the panel is wider";
+    desk.key(Key::up, false, true);
+    EXPECT_EQ(desk.interface.scene().height, usual.height - 20) << "the plots are higher";
+    desk.key(Key::left, false, true);
+    desk.key(Key::down, false, true);
+    EXPECT_EQ(desk.interface.scene(), usual);
+    for (int i = 0; i < 50; ++i) desk.key(Key::right, false, true);
+    EXPECT_EQ(desk.interface.scene().x, 520) << "as far as a drag";
+    desk.key(Key::home, false, true);
+    EXPECT_EQ(desk.interface.scene(), usual);
+    EXPECT_EQ(desk.camera, camera) << "the view is not reset";
+    EXPECT_THAT(desk.calls(), IsEmpty()) << "no step is taken";
+}
+
 TEST(keys, select_particles_one_after_the_other) {
     Desk desk(describe("chain"));
     desk.view.tracked = Tracked{8, {}};
