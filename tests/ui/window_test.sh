@@ -336,6 +336,9 @@ blow_up_is_explained_and_gone_through() {
     xdotool key space; expect 'diverged 4'
     expect 'widget divergence.page [0-9].*' 'widget remedy.dt [0-9].*' # which moves the page's button
     click divergence.page; expect 'page divergence.md'
+    click divergence.close; expect 'widget divergence gone'
+    xdotool key Left; expect 'diverged no'
+    enter time 'step 4'; expect 'diverged 4' 'widget divergence [0-9].*' # it is back
     close_window
 }
 
