@@ -129,6 +129,7 @@ struct InterfaceState {
     bool drag_from_scene = false;                      ///< the left or right button was pressed over the scene
     bool dragged = false;                              ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;   ///< step of the divergence whose card was closed
+    std::size_t card_corner = 0;                       ///< of the scene, in which that card stands
     std::optional<event::Play> plays_after_scrubbing;  ///< while the time line is dragged
     std::optional<Doubt> doubt;                        ///< why the picture stands still
     bool lost = false;                                 ///< no particle is in view
