@@ -13,7 +13,7 @@ namespace {
 
 constexpr float beside_corner = 8;  // units of the layout
 /// Less than this part of the oscillation is not worth a move.
-constexpr double hardly_any = 0.02;
+constexpr double hardly_any = 0.01;
 
 /// A particle on the display, and its part of the oscillation; the particle that the card names counts as one that
 /// moves as far as any.

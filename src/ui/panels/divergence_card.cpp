@@ -123,7 +123,7 @@ std::string without_title(const std::string& message) {
 /// "1.434 s: stability limit ..."; nothing where no dt is stable, or any.
 std::string limit_line(const std::optional<double>& limit, const std::string& of) {
     if (!limit || !(*limit > 0) || std::isinf(*limit)) return {};
-    return fmt::format("{} s: stability limit of the {}\n", reading_text(*limit), of);
+    return fmt::format("{} s: stability limit of the {}", reading_text(*limit), of);
 }
 
 /// What the sentence about the last good step says of a limit.
@@ -136,11 +136,15 @@ void explain_message(const Context& context, const Divergence& divergence) {
 void explain_cause(const Context& context, const BlowUp& blow_up) {
     const PresentLimit &start = blow_up.start, &then = blow_up.limit;
     std::string lines = limit_line(start.limit, "scene as it stood at the start of the run");
-    if (then.step != start.step)
-        lines += limit_line(then.limit, fmt::format("scene as it stood at t = {} s, when it was smallest beside dt",
-                                                    reading_text(then.time)));
+    const std::string later = limit_line(
+        then.limit,
+        fmt::format("scene as it stood at t = {} s, when it was smallest beside dt", reading_text(then.time)));
+    if (then.step != start.step && !later.empty()) lines += (lines.empty() ? "" : "\n") + later;
     if (!lines.empty()) term_tooltip(context, lines, "stability limit");
 }
+
+/// Between the parts of the card, which has to be low.
+void leave_gap(const Context& context) { ImGui::SetCursorPosY(ImGui::GetCursorPosY() + context.px(4)); }
 
 /// Wide rather than high where the scene has room: scenes leave more of it above and below them than beside them.
 float width_of_card(const Context& context) {
@@ -179,16 +183,16 @@ void draw_divergence_card(const Context& context) {
     context.mark("divergence.message");
     explain_message(context, *divergence);
     if (const auto& blow_up = context.session.blow_up) {
-        ImGui::Dummy({0, context.px(4)});
+        leave_gap(context);
         explanation(context, blow_up->why, colour::text);
         context.mark("divergence.why");
         explain_cause(context, *blow_up);
-        ImGui::Dummy({0, context.px(4)});
+        leave_gap(context);
         draw_remedies(context, *blow_up);
     } else {
         explanation(context, "looking for the cause ...");
     }
-    ImGui::Dummy({0, context.px(4)});
+    leave_gap(context);
     draw_ways_on(context);
     draw_other_run(context);
 }
