@@ -338,17 +338,5 @@ TEST(panel, snapshot_button_requests_a_snapshot) {
     EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
 }
 
-// "displacements" touched its slider.
-TEST(panel, labels_leave_a_gap_before_their_sliders) {
-    for (const char* const model : {"chain", "mesh", "rope", "crystal", "morse"}) {
-        Desk desk(describe(model));
-        for (const auto& [name, place] : desk.interface.widgets()) {
-            if (!desk.has(name + ".value")) continue;
-            const WidgetRect gap{place.left - 6, place.top, place.left - 2, place.bottom};
-            EXPECT_EQ(desk.vertices_within(gap), 0) << name << " of " << model;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace steplab::ui
