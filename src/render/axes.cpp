@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace steplab::render {
 namespace {
@@ -103,6 +105,19 @@ void add_ticks(Axes& axes, const Edge& edge, Vec3 direction, double step, double
     }
 }
 
+/// Among the numbers of an axis, as near to its middle as none is; nothing if the axis is not in the picture there.
+std::optional<PixelPoint> between_numbers(const Edge& edge, Vec3 direction, double step, const Projection& projection,
+                                          double pixel_scale) {
+    const double low = component(edge.start, edge.axis), high = component(edge.end, edge.axis);
+    const std::vector<double> ticks = linear_ticks(low, high, step);
+    const auto beyond = std::upper_bound(std::next(ticks.begin()), std::prev(ticks.end()), 0.5 * (low + high));
+    const Vec3 point = with_component(edge.start, edge.axis, 0.5 * (*std::prev(beyond) + *beyond));
+    const auto pixel = projection.pixel(point);
+    const PictureSize size = projection.size();
+    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x > size.width || pixel->y > size.height) return std::nullopt;
+    return projection.pixel(moved(point, direction, projection, number_distance * pixel_scale));
+}
+
 void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& projection, double pixel_scale) {
     constexpr const char* titles[] = {"x [m]", "y [m]", "z [m]"};
     const auto start = projection.pixel(edge.start);
@@ -121,7 +136,9 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
     add_ticks(axes, edge, direction, step, strength, projection, pixel_scale);
     const Vec3 middle = 0.5 * (edge.start + edge.end);
     const auto title = projection.pixel(moved(middle, direction, projection, title_distance * pixel_scale));
-    if (title) axes.labels.push_back({titles[edge.axis], *title, strength});
+    if (title)
+        axes.labels.push_back(
+            {titles[edge.axis], *title, strength, between_numbers(edge, direction, step, projection, pixel_scale)});
 }
 
 }  // namespace

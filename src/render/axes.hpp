@@ -4,6 +4,7 @@
 #include "render/bounds.hpp"
 #include "render/camera.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct AxisLabel {
     std::string text;
     PixelPoint centre;
     double strength = 1;
+    /// Of a title: a place nearer to its axis, between two numbers, if that is in the picture.
+    std::optional<PixelPoint> nearer = {};
 };
 
 /// Axes along three outer edges of a box as it is seen, two of them of its floor, with ticks and texts outside.

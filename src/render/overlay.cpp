@@ -57,12 +57,25 @@ bool touches(const PictureArea& area, PixelPoint low, PixelPoint size) {
 
 }  // namespace
 
+PixelPoint place_of(const AxisLabel& label, PixelPoint text, PictureSize picture) {
+    constexpr double margin = 2;
+    const PixelPoint most{picture.width - text.x - margin, picture.height - text.y - margin};
+    const auto low = [&](PixelPoint centre) { return PixelPoint{centre.x - text.x / 2, centre.y - text.y / 2}; };
+    const auto fits = [&](PixelPoint p) { return p.x >= margin && p.y >= margin && p.x <= most.x && p.y <= most.y; };
+    const PixelPoint centre = fits(low(label.centre)) ? label.centre : label.nearer.value_or(label.centre);
+    const bool is_seen = centre.x >= 0 && centre.y >= 0 && centre.x <= picture.width && centre.y <= picture.height;
+    const PixelPoint place = low(centre);
+    if (!is_seen && !label.nearer) return place;
+    return {std::clamp(place.x, margin, std::max(margin, most.x)),
+            std::clamp(place.y, margin, std::max(margin, most.y))};
+}
+
 void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const PictureArea& texts,
                    PictureSize picture, const Palette& palette) {
     constexpr double legible = 0.5;  // a fainter text is not drawn: no text is half there
     for (const AxisLabel& label : axes.labels) {
         const PixelPoint size = sketch.text_size(label.text);
-        const PixelPoint low{label.centre.x - size.x / 2, label.centre.y - size.y / 2};
+        const PixelPoint low = place_of(label, size, picture);
         if (touches(texts, low, size)) continue;
         const double in_the_way = taken.taken(low, {low.x + size.x, low.y + size.y});
         if (label.strength * (1 - in_the_way) < legible) continue;

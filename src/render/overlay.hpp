@@ -13,6 +13,9 @@ namespace steplab::render {
 
 /// Texts and symbols over a picture of a scene. Each function adds to the sketch.
 
+/// The upper left corner of a label whose text has this size: where it would be cut by the edge of the picture, it is
+/// moved inside, a title among the numbers of its axis.
+PixelPoint place_of(const AxisLabel& label, PixelPoint text, PictureSize picture);
 /// Numbers and titles of the axes in a picture of this size, but those on particles, under the texts in `texts`, and of
 /// axes that are too short.
 void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const PictureArea& texts,

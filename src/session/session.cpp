@@ -127,7 +127,9 @@ void Session::advance(std::uint64_t steps) {
         stop();
         playing_ = goes_on;
     }
-    if (goal_ && line_.step() >= *goal_) goal_.reset();
+    if (!goal_ || line_.step() < *goal_) return;
+    goal_.reset();
+    line_.find_end();
 }
 
 void Session::play(const event::Play& play) {
@@ -253,7 +255,11 @@ void Session::seek(std::uint64_t step) {
     lacking_ = with_samples_;  // runs beside the leading one may have less of the way ahead
     line_.turn_to(step);
     line_.advance(0);  // what was done at the step reached
-    if (line_.step() != step) goal_ = step;
+    if (line_.step() != step) {
+        goal_ = step;
+    } else {
+        line_.find_end();
+    }
 }
 
 void Session::bookmark(const std::string& text) { toggle_mark(bookmarks_, {line_.step(), line_.time(), text}); }

@@ -126,6 +126,14 @@ void TimeLine::note_reached() {
     if (over && samples_) samples_->cut(step);
     reached_ = step;
     reached_time_ = time_of(step);
+    ended_ = over;
+}
+
+void TimeLine::find_end() {
+    if (!ended_ || is_over() || run_.step() != reached_ || taken_ != changes_.size()) return;
+    run_.advance(1);
+    run_.conclude();
+    note_reached();
 }
 
 /// Those of the present step; of a run that has diverged, what was done where it stands, from which it goes on. What is
@@ -240,6 +248,7 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change, bool may_r
         moments_.keep(run_, taken_, first_of_last(past()));  // what may be taken back is often taken back at once
     }
     changes_.push_back(std::move(change));
+    ended_ = false;
     take_due_changes();
     return left;
 }
@@ -260,9 +269,11 @@ std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t ke
         branch.followed = samples_->followed();
     }
     if (samples_ && step == 0) samples_->clear();  // the start may become another
+    branch.ended = ended_;
     changes_.resize(kept);
     reached_ = step;
     reached_time_ = time_of(step);
+    if (!nothing) ended_ = false;
     return nothing ? std::nullopt : std::optional(std::move(branch));
 }
 
@@ -294,6 +305,7 @@ std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
     moments_.append(std::move(branch.moments));
     reached_ = branch.reached;
     reached_time_ = branch.reached_time;
+    ended_ = branch.ended;
     if (samples_) samples_->append(std::move(branch.samples), branch.followed);
     take_due_changes();
     return left;

@@ -53,6 +53,9 @@ public:
     void turn_to_any(std::uint64_t step);
     /// True if the run ended, and may not have ended yet at this step.
     bool ended_beyond(std::uint64_t step) const { return is_over() && step < asked_; }
+    /// Where it stands at the last good step of a run that is known to have ended there, it ends again: there is no
+    /// telling by the moment alone. Throws Interrupted.
+    void find_end();
     /// Forgets what lies ahead, as if it had not been there.
     void forget_ahead() { cut(run_.step(), taken_); }
     /// Memory for moments from now on.
@@ -77,6 +80,7 @@ public:
         double reached_time = 0;
         std::vector<Sample> samples = {};  ///< behind the fork
         TrackedParticles followed = {};    ///< the particles that they tell of
+        bool ended = false;                ///< it could get no farther than it went
     };
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
@@ -139,6 +143,7 @@ private:
     std::uint64_t asked_ = 0;  ///< the step that it was last taken to; where the run ended, it was found on the way
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
+    bool ended_ = false;  ///< the step reached is the last good one
     Vec3 start_momentum_;
     std::optional<RunSamples> samples_;
     double spent_ = 0, simulated_ = 0;  ///< seconds; what is long past fades

@@ -6,7 +6,9 @@
 #include "sim/run/opening.hpp"
 #include "ui/camera_keys.hpp"
 #include "ui/input.hpp"
+#include "ui/pull_keys.hpp"
 #include "ui/rate.hpp"
+#include "ui/size_keys.hpp"
 #include "ui/steering.hpp"
 
 #include <fmt/format.h>
@@ -197,8 +199,10 @@ void perform(const Context& context, Action action) {
         case Action::restart:
             return events.send(event::Restart{});
         case Action::undo:
+            context.state.hands.by_keys.reset();  // of a place that is taken back
             return events.send(event::Undo{});
         case Action::redo:
+            context.state.hands.by_keys.reset();
             return events.send(event::Redo{});
         case Action::bookmark:
             return events.send(event::Bookmark{});
@@ -295,7 +299,7 @@ bool goes_to_widgets(const Context& context, Key key) {
 }  // namespace
 
 void perform_pressed_keys(const Context& context) {
-    if (use_camera_keys(context)) return;
+    if (use_pull_keys(context) || use_camera_keys(context) || use_size_keys(context)) return;
     for (const KeyBinding& binding : key_bindings()) {
         if (ImGui::GetIO().WantTextInput && !acts_beside_an_entry(binding.action)) continue;
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;

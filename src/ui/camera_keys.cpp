@@ -12,8 +12,6 @@ namespace {
 constexpr float key_drag = 30;
 constexpr double key_zoom = 1.15;
 
-int presses(Key positive, Key negative) { return Input::pressed(positive, true) - Input::pressed(negative, true); }
-
 }  // namespace
 
 bool use_camera_keys(const Context& context) {

@@ -51,9 +51,16 @@ struct Notice {
 /// The notice that a file was saved, with its whole path.
 Notice notice_of_saved(const std::string& file);
 
+/// A particle that keys pull, and the place that it is to be seen at.
+struct KeyPull {
+    std::size_t particle = 0;
+    Vec3 place;
+};
+
 /// What the pointer does with particles.
 struct Hands {
     std::optional<std::size_t> pulled;       ///< the particle that follows the pointer
+    std::optional<KeyPull> by_keys;          ///< while the keys of a pull are held
     bool moved = false;                      ///< the pointer has, since that was taken hold of
     std::optional<std::uint64_t> tugged_at;  ///< the step seen at the last tug of the present hold
     std::optional<std::uint64_t> pulled_in;  ///< the last run in which something was done to a particle
@@ -122,6 +129,7 @@ struct InterfaceState {
     bool drag_from_scene = false;                      ///< the left or right button was pressed over the scene
     bool dragged = false;                              ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;   ///< step of the divergence whose card was closed
+    std::size_t card_corner = 0;                       ///< of the scene, in which that card stands
     std::optional<event::Play> plays_after_scrubbing;  ///< while the time line is dragged
     std::optional<Doubt> doubt;                        ///< why the picture stands still
     bool lost = false;                                 ///< no particle is in view

@@ -24,11 +24,8 @@ render::PixelPoint pointer_place(const Context& context) {
     return {static_cast<double>(pointer.x) - tile.x, static_cast<double>(pointer.y) - tile.y};
 }
 
-/// The point under the pointer in the plane through `place` that faces the eye.
 Vec3 under_pointer_beside(Vec3 place, const Context& context, const render::Projection& projection) {
-    const render::Ray ray = projection.ray(pointer_place(context));
-    const Vec3 forward = projection.forward();
-    return ray.origin + (dot(place - ray.origin, forward) / dot(ray.direction, forward)) * ray.direction;
+    return beside(place, pointer_place(context), projection);
 }
 
 /// Simulated seconds that pass in one of the wall clock.
@@ -65,15 +62,13 @@ Vec3 position_seen_at(const Frame& frame, std::size_t particle, Vec3 place) {
 }
 
 /// Once for each step that is seen: between, no time has passed for the spring.
-void tug(const Context& context, Vec3 place) {
+void tug(const Context& context, std::size_t particle, Vec3 place) {
     Hands& hands = context.state.hands;
     const Frame& frame = context.view.frame;
     if (hands.tugged_at == frame.step) return;
-    const std::size_t particle = *hands.pulled;
     context.events.send(event::Do{Tug{particle, position_seen_at(frame, particle, place), tug_rate(context),
                                       hands.tugged_at.has_value(), others_with(particle, context)}});
     hands.tugged_at = frame.step;
-    hands.pulled_in = context.view.run;
 }
 
 void pull(const Context& context, const render::Projection& projection) {
@@ -84,20 +79,12 @@ void pull(const Context& context, const render::Projection& projection) {
         hands.pulled.reset();
         return;
     }
-    const Frame& frame = context.view.frame;
-    const Vec3 seen = frame.seen(particle);
+    const Vec3 seen = context.view.frame.seen(particle);
     if (!render::drawable(seen)) return;
     const Vec3 place = under_pointer_beside(seen, context, projection);
     hands.moved = hands.moved || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-    if (context.view.playing) {
-        if (hands.moved) tug(context, place);
-        return;
-    }
-    hands.tugged_at.reset();
-    if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
-    context.events.send(
-        event::Do{Pull{particle, frame.position_drawn_at(particle, place), others_with(particle, context)}});
-    hands.pulled_in = context.view.run;
+    const bool moves = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+    if (context.view.playing ? hands.moved : moves) pull_to(context, particle, place);
 }
 
 bool is_dragged(const Context& context, int button) {
@@ -161,6 +148,21 @@ void begin_pull(const Context& context, const render::Projection& projection) {
 }
 
 }  // namespace
+
+Vec3 beside(Vec3 place, render::PixelPoint pixel, const render::Projection& projection) {
+    const render::Ray ray = projection.ray(pixel);
+    const Vec3 forward = projection.forward();
+    return ray.origin + (dot(place - ray.origin, forward) / dot(ray.direction, forward)) * ray.direction;
+}
+
+void pull_to(const Context& context, std::size_t particle, Vec3 place) {
+    Hands& hands = context.state.hands;
+    hands.pulled_in = context.view.run;
+    if (context.view.playing) return tug(context, particle, place);
+    hands.tugged_at.reset();
+    context.events.send(event::Do{
+        Pull{particle, context.view.frame.position_drawn_at(particle, place), others_with(particle, context)}});
+}
 
 std::optional<std::size_t> particle_under_pointer(const Context& context, const render::Projection& projection) {
     const PixelRect tile = context.tile();

@@ -188,6 +188,8 @@ void Input::steer(ImGuiIO& io, bool on) {
 
 bool Input::pressed(Key key, bool repeat) { return key_pressed(key, repeat); }
 
+int presses(Key positive, Key negative) { return Input::pressed(positive, true) - Input::pressed(negative, true); }
+
 PointerAway::PointerAway(ImGuiIO& io) : io_(io), place_(io.MousePos) { set_pointer(io, {-FLT_MAX, -FLT_MAX}); }
 
 PointerAway::~PointerAway() { set_pointer(io_, place_); }

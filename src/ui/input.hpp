@@ -59,6 +59,9 @@ private:
     std::deque<InputEvent> events_;
 };
 
+/// How often one of two keys was pressed in this frame less how often the other was; a held key repeats.
+int presses(Key positive, Key negative);
+
 /// The pointer is nowhere for as long as this lives, and then where it was; its buttons stay as they are.
 class PointerAway {
 public:

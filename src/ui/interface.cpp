@@ -267,7 +267,7 @@ render::Following Interface::following() const { return body_->state.following; 
 bool Interface::is_dragging() const {
     ImGui::SetCurrentContext(body_->context.get());
     const bool held = ImGui::IsAnyItemActive() || body_->state.hands.pulled;
-    return held && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    return body_->state.hands.by_keys || (held && ImGui::IsMouseDragging(ImGuiMouseButton_Left));
 }
 
 bool Interface::shows_plots() const { return !body_->layout.plots.empty(); }

@@ -106,7 +106,8 @@ public:
 
     /// What the camera goes with.
     render::Following following() const;
-    /// True while the pointer draws a slider, the time line or a particle along: the picture is to follow it.
+    /// True while the pointer draws a slider, the time line or a particle along, or keys pull one: the picture is to
+    /// follow it.
     bool is_dragging() const;
     /// The area of the scene in the last frame.
     PixelRect scene() const;

@@ -42,11 +42,14 @@ constexpr std::array<KeyBinding, 33> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 16> gestures = {{
+constexpr std::array<MouseBinding, 19> gestures = {{
     {"= - [ ] Home at a plot, after F6", "zoom the axis across, move along it, show all; with Shift, the axis up"},
     {"arrows, Enter at speed against error, after F6", "go from point to point, add the run of one"},
     {"Alt + arrows", "orbit; with Shift, pan"},
     {"Alt + = -", "zoom"},
+    {"Ctrl + arrows", "pull the selected particle until Ctrl is let go; with Shift, by larger steps"},
+    {"Shift + arrows", "panel wider or narrower, plots higher or lower; Shift + Home: usual sizes"},
+    {"Page Up, Page Down", "scroll the panel, a lesson, the scenes or this help"},
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom towards the pointer"},

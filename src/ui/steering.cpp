@@ -48,6 +48,7 @@ bool is_steered(const Context& context, std::string_view panel) {
 
 void scroll_by_keys(const Context& context, std::string_view panel, bool otherwise) {
     if (context.purpose != Purpose::use || ImGui::GetIO().WantTextInput) return;
+    if (context.state.help_open && panel != "help") return;  // it lies over all panels
     if (!is_steered(context, panel) && (context.state.steering || !otherwise)) return;
     const int pages = Input::pressed(Key::page_down, true) - Input::pressed(Key::page_up, true);
     if (pages == 0) return;

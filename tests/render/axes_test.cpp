@@ -1,6 +1,7 @@
 #include "render/axes.hpp"
 
 #include "render/occupancy.hpp"
+#include "render/overlay.hpp"
 #include "support/extreme_doubles.hpp"
 
 #include <gmock/gmock.h>
@@ -40,6 +41,39 @@ TEST(Axes, lie_on_the_side_that_faces_the_eye_and_seen_from_below_on_the_far_one
     EXPECT_EQ(z_of_x_axis(seen_from(160, 30)), box.bounds.low.z);
     EXPECT_EQ(z_of_x_axis(seen_from(20, -30)), box.bounds.low.z);
     EXPECT_EQ(z_of_x_axis(seen_from(160, -30)), box.bounds.high.z);
+}
+
+/// The labels of axes that are seen level, at the edge of a picture, are within it and lie on no other.
+TEST(Axes, texts_at_the_edge_of_the_picture_are_not_cut) {
+    const PixelPoint text{34, 16};
+    for (const PictureSize picture : {PictureSize{980, 500}, {500, 420}, {320, 260}}) {
+        SCOPED_TRACE(picture.width);
+        for (const double yaw : {0.0, 90.0, -90.0, 180.0}) {
+            // The side of the box that faces the eye fills nine tenths of the picture.
+            const double distance = 9 + 10 / Projection({{9, 1, -9}, 1, yaw, 0}, picture).half_width();
+            const Axes axes = axes_of(box, Projection({{9, 1, -9}, distance, yaw, 0}, picture), 1);
+            EXPECT_TRUE(has_label(axes, "y [m]"));
+            for (const AxisLabel& label : axes.labels) {
+                const PixelPoint low = place_of(label, text, picture);
+                EXPECT_GE(low.x, 0) << label.text;
+                EXPECT_LE(low.x + text.x, picture.width) << label.text;
+                EXPECT_GE(low.y, 0) << label.text;
+                EXPECT_LE(low.y + text.y, picture.height) << label.text;
+                for (const AxisLabel& other : axes.labels) {
+                    const PixelPoint there = place_of(other, text, picture);
+                    const bool apart = std::abs(there.x - low.x) >= text.x || std::abs(there.y - low.y) >= text.y;
+                    EXPECT_TRUE(&other == &label || apart || label.text != "y [m]") << other.text;
+                }
+            }
+        }
+    }
+}
+
+TEST(Axes, texts_of_an_axis_outside_the_picture_stay_there) {
+    const AxisLabel number{"3", {-40, 100}, 1};
+    EXPECT_EQ(place_of(number, {10, 16}, size_of_axes).x, -45);
+    const AxisLabel title{"y [m]", {-40, 100}, 1};
+    EXPECT_LT(place_of(title, {34, 16}, size_of_axes).x, 0);
 }
 
 /// How far a point is from the line of an axis in the picture, in pixels; negative on its other side.

@@ -42,6 +42,34 @@ TEST(Session, seeks_forth_and_back_and_never_forgets_what_lies_ahead) {
     EXPECT_EQ(session.run().step(), 0u);
 }
 
+// Its card was closed for good: at the last good step nothing told that the run had ended there.
+TEST(Session, that_is_taken_to_the_end_of_a_run_that_diverged_finds_that_again) {
+    RunDescription description = chain("euler");
+    description.dt = 2.5;
+    Session session(description);
+    session.handle(event::Step{1000});
+    ASSERT_TRUE(session.line().is_over());
+    const std::uint64_t end = session.run().step();
+    const std::string message = session.run().divergence()->message, there = session.run().hash();
+    for (const std::uint64_t from : {std::uint64_t{0}, end / 2, end - 1}) {
+        go_to(session, from);
+        EXPECT_FALSE(session.line().is_over()) << from;
+        go_to(session, end);
+        ASSERT_TRUE(session.line().is_over()) << from;
+        EXPECT_EQ(session.run().divergence()->message, message);
+        EXPECT_EQ(session.run().hash(), there);
+        EXPECT_EQ(session.line().reached(), end);
+    }
+    go_to(session, end - 1);
+    session.handle(event::Change{with(description, "dt", 0.1)});
+    session.handle(event::Step{1});
+    EXPECT_FALSE(session.line().is_over()) << "another way";
+    go_to(session, 0);
+    go_to(session, end);
+    EXPECT_FALSE(session.line().is_over());
+    EXPECT_EQ(session.run().step(), end);
+}
+
 TEST(Session, undoes_and_does_again_everything_the_start_of_another_scene_too) {
     Session session(chain());
     session.handle(event::Step{10});

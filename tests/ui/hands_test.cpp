@@ -1,4 +1,4 @@
-#include "ui/desk.hpp"
+#include "ui/hands_test.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,59 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct Point {
-    float x, y;
-};
-
-/// Where a particle is on the display.
-Point place_of(const Desk& desk, std::size_t particle) {
-    const PixelRect rect = desk.interface.scene();
-    const auto pixel = render::Projection(desk.camera, {rect.width, rect.height}).pixel(desk.view.frame.seen(particle));
-    return {static_cast<float>(rect.x + pixel.value().x), static_cast<float>(rect.y + pixel.value().y)};
-}
-
-/// A chain of which particle 5 is the one that views tell about.
-class Hands : public testing::Test {
-protected:
-    Hands() {
-        desk.show(view_of(simulation, 5));
-        desk.frame();
-        desk.recorder = {};
-    }
-
-    void hold_keys(const ModifiersChanged& keys) { desk.interface.input().push(keys); }
-    void click(std::size_t particle) {
-        const Point place = place_of(desk, particle);
-        desk.move_to(place.x, place.y);
-        desk.press();
-        desk.release();
-    }
-    /// A box around these particles and all between them.
-    void drag_box(std::size_t first, std::size_t last) {
-        const Point from = place_of(desk, first), to = place_of(desk, last);
-        desk.move_to(from.x - 12, from.y - 30);
-        desk.press();
-        desk.move_to(to.x + 12, to.y + 30);
-        desk.release();
-    }
-    std::vector<std::size_t> others() const { return {desk.style.selected_too.begin(), desk.style.selected_too.end()}; }
-    template <class Kind>
-    Kind last_act() const {
-        return std::get<Kind>(std::get<event::Do>(desk.recorder.events.back()).act);
-    }
-    /// The run has gone on by a step, playing.
-    void play_a_step() {
-        simulation.advance(1);
-        RunView view = view_of(simulation, 5);
-        view.playing = true;
-        desk.show(view);
-    }
-
-    Simulation simulation{describe("chain")};
-    Desk desk{describe("chain")};
-};
-
-TEST_F(Hands, shift_click_adds_particles_and_takes_them_away) {
+TEST_F(WithHands, shift_click_adds_particles_and_takes_them_away) {
     hold_keys({.shift = true});
     click(7);
     click(3);
@@ -83,7 +31,7 @@ TEST_F(Hands, shift_click_adds_particles_and_takes_them_away) {
     EXPECT_THAT(others(), IsEmpty()) << "a click selects one";
 }
 
-TEST_F(Hands, alt_drag_selects_what_is_in_the_box) {
+TEST_F(WithHands, alt_drag_selects_what_is_in_the_box) {
     const render::Camera before = desk.camera;
     hold_keys({.alt = true});
     drag_box(3, 6);
@@ -99,7 +47,7 @@ TEST_F(Hands, alt_drag_selects_what_is_in_the_box) {
     EXPECT_EQ(desk.camera, before);
 }
 
-TEST_F(Hands, what_differs_among_the_selected_is_not_shown_as_that_of_the_first) {
+TEST_F(WithHands, what_differs_among_the_selected_is_not_shown_as_that_of_the_first) {
     RunView view = view_of(simulation, 5);
     Shape shape = *view.frame.shape;
     shape.roles[5] = Role::fixed;
@@ -115,7 +63,7 @@ TEST_F(Hands, what_differs_among_the_selected_is_not_shown_as_that_of_the_first)
     EXPECT_EQ(desk.wanted().alterations.of(5).fixed, true);
 }
 
-TEST_F(Hands, the_mass_of_the_first_is_not_given_to_others_unasked) {
+TEST_F(WithHands, the_mass_of_the_first_is_not_given_to_others_unasked) {
     RunDescription description = describe("chain");
     description = with_alterations(description, std::vector<Alteration>{{.particle = 7, .mass = 4}});
     desk.show(view_of(Simulation(description), 5));
@@ -128,7 +76,7 @@ TEST_F(Hands, the_mass_of_the_first_is_not_given_to_others_unasked) {
     EXPECT_TRUE(desk.has("refusal"));
 }
 
-TEST_F(Hands, an_empty_box_leaves_the_first_one_alone) {
+TEST_F(WithHands, an_empty_box_leaves_the_first_one_alone) {
     hold_keys({.alt = true});
     drag_box(3, 6);
     const PixelRect scene = desk.interface.scene();
@@ -141,7 +89,7 @@ TEST_F(Hands, an_empty_box_leaves_the_first_one_alone) {
     EXPECT_FALSE(desk.recorder.tracked);
 }
 
-TEST_F(Hands, s_makes_the_next_drag_a_box) {
+TEST_F(WithHands, s_makes_the_next_drag_a_box) {
     desk.key(Key::s);
     drag_box(3, 6);
     EXPECT_THAT(others(), ElementsAre(3, 4, 6));
@@ -156,7 +104,7 @@ TEST_F(Hands, s_makes_the_next_drag_a_box) {
     EXPECT_THAT(others(), ElementsAre(3, 4, 6));
 }
 
-TEST_F(Hands, another_scene_has_no_selection) {
+TEST_F(WithHands, another_scene_has_no_selection) {
     hold_keys({.alt = true});
     drag_box(3, 6);
     desk.show(view_of(Simulation(describe("rope"))));
@@ -164,11 +112,11 @@ TEST_F(Hands, another_scene_has_no_selection) {
     EXPECT_THAT(others(), IsEmpty());
 }
 
-TEST_F(Hands, selected_particles_are_pulled_together_while_the_run_stands) {
+TEST_F(WithHands, selected_particles_are_pulled_together_while_the_run_stands) {
     hold_keys({.alt = true});
     drag_box(0, 6);
     hold_keys({.control = true});
-    const Point place = place_of(desk, 4);
+    const DisplayPoint place = place_of(desk, 4);
     desk.move_to(place.x, place.y);
     desk.press();
     EXPECT_THAT(desk.calls(), ElementsAre("also track 0 1 2 3 4 6")) << "it is selected already";
@@ -178,7 +126,7 @@ TEST_F(Hands, selected_particles_are_pulled_together_while_the_run_stands) {
     EXPECT_EQ(pull.others, ParticleList({1, 2, 3, 5, 6})) << "particle 0 is fixed";
     desk.release();
     desk.calls();
-    const Point other = place_of(desk, 8);
+    const DisplayPoint other = place_of(desk, 8);
     desk.move_to(other.x, other.y);
     desk.press();
     EXPECT_EQ(desk.recorder.tracked, 8u);
@@ -187,13 +135,13 @@ TEST_F(Hands, selected_particles_are_pulled_together_while_the_run_stands) {
     EXPECT_TRUE(last_act<Pull>().others.empty());
 }
 
-TEST_F(Hands, a_magnified_particle_is_pulled_kicked_and_tugged_to_where_it_is_drawn) {
+TEST_F(WithHands, a_magnified_particle_is_pulled_kicked_and_tugged_to_where_it_is_drawn) {
     const auto pulled_with = [&](double magnified, bool playing) {
         RunView view = view_of(simulation, 5);
         view.frame.magnified = magnified;
         view.playing = playing;
         desk.show(view);
-        const Point place = place_of(desk, 5);
+        const DisplayPoint place = place_of(desk, 5);
         hold_keys({.control = true});
         desk.move_to(place.x, place.y);
         desk.press();
@@ -209,9 +157,9 @@ TEST_F(Hands, a_magnified_particle_is_pulled_kicked_and_tugged_to_where_it_is_dr
     }
 }
 
-TEST_F(Hands, while_the_run_plays_a_particle_is_tugged_once_a_step) {
+TEST_F(WithHands, while_the_run_plays_a_particle_is_tugged_once_a_step) {
     play_a_step();
-    const Point place = place_of(desk, 5);
+    const DisplayPoint place = place_of(desk, 5);
     hold_keys({.control = true});
     desk.move_to(place.x, place.y);
     desk.press();
@@ -239,7 +187,7 @@ TEST_F(Hands, while_the_run_plays_a_particle_is_tugged_once_a_step) {
     EXPECT_FALSE(last_act<Tug>().goes_on) << "another hold";
 }
 
-TEST_F(Hands, a_slower_run_is_tugged_more_strongly) {
+TEST_F(WithHands, a_slower_run_is_tugged_more_strongly) {
     std::vector<double> rates;
     for (const double speed : {1.0, 0.1}) {
         simulation.advance(1);
@@ -247,7 +195,7 @@ TEST_F(Hands, a_slower_run_is_tugged_more_strongly) {
         view.playing = true;
         view.rate.seconds_per_second = speed;
         desk.show(view);
-        const Point place = place_of(desk, 5);
+        const DisplayPoint place = place_of(desk, 5);
         hold_keys({.control = true});
         desk.move_to(place.x, place.y);
         desk.press();
@@ -258,9 +206,9 @@ TEST_F(Hands, a_slower_run_is_tugged_more_strongly) {
     EXPECT_NEAR(rates[1], 10 * rates[0], 1e-9);
 }
 
-TEST_F(Hands, control_right_drag_kicks_along_its_arrow) {
+TEST_F(WithHands, control_right_drag_kicks_along_its_arrow) {
     const render::Camera before = desk.camera;
-    const Point place = place_of(desk, 5);
+    const DisplayPoint place = place_of(desk, 5);
     const auto kick_up = [&](float pixels) {
         hold_keys({.control = true});
         desk.move_to(place.x, place.y);
@@ -290,11 +238,11 @@ TEST_F(Hands, control_right_drag_kicks_along_its_arrow) {
     EXPECT_NE(desk.camera, before) << "beside particles it pans";
 }
 
-TEST_F(Hands, a_kick_of_a_selected_particle_kicks_all) {
+TEST_F(WithHands, a_kick_of_a_selected_particle_kicks_all) {
     hold_keys({.shift = true});
     click(7);
     hold_keys({.control = true});
-    const Point place = place_of(desk, 7);
+    const DisplayPoint place = place_of(desk, 7);
     desk.move_to(place.x, place.y);
     desk.press(1);
     desk.move_to(place.x, place.y - 50);
@@ -303,7 +251,7 @@ TEST_F(Hands, a_kick_of_a_selected_particle_kicks_all) {
     EXPECT_EQ(last_act<Kick>().others, ParticleList({5}));
 }
 
-TEST_F(Hands, the_panel_fixes_particles_and_changes_their_mass) {
+TEST_F(WithHands, the_panel_fixes_particles_and_changes_their_mass) {
     hold_keys({.shift = true});
     click(7);
     hold_keys({});
@@ -325,7 +273,7 @@ TEST_F(Hands, the_panel_fixes_particles_and_changes_their_mass) {
     EXPECT_EQ(desk.recorder.changes.size(), changes) << "a mass must be > 0";
 }
 
-TEST_F(Hands, the_panel_kicks_by_numbers) {
+TEST_F(WithHands, the_panel_kicks_by_numbers) {
     desk.calls();
     const auto kick_by = [&](const char* text) {
         desk.click("selection.velocity");

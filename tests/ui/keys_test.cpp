@@ -103,6 +103,37 @@ TEST(keys, help_opens_and_closes) {
     EXPECT_FALSE(desk.has("help"));
 }
 
+/// The rows of the help that are seen whole.
+void note_rows(Desk& desk, std::set<std::string>& seen) {
+    constexpr std::string_view prefix = "help/";
+    const WidgetRect card = desk.widget("help");
+    for (const auto& [name, place] : desk.interface.widgets()) {
+        if (!name.starts_with(prefix)) continue;
+        EXPECT_GT(place.left, card.left) << name;
+        EXPECT_LT(place.right, card.right) << name << " is cut";
+        if (place.top >= card.top && place.bottom <= card.bottom) seen.insert(name.substr(prefix.size()));
+    }
+}
+
+TEST(keys, help_has_all_of_them_in_low_and_narrow_windows_too) {
+    for (const Display& display :
+         {Display{1280, 800, 1}, {1000, 560, 1}, {800, 600, 1}, {1280, 800, 1.5f}, {1000, 560, 2}, {400, 300, 1}}) {
+        Desk desk(describe(), display);
+        desk.key(Key::f1);
+        std::set<std::string> seen;
+        note_rows(desk, seen);
+        const bool whole = seen.size() == key_bindings().size() + mouse_bindings().size();
+        EXPECT_EQ(whole, display.height == 800 && display.scale == 1) << seen.size() << " at " << display.height;
+        for (int page = 0; page < 40; ++page) {
+            desk.key(Key::page_down);
+            note_rows(desk, seen);
+        }
+        for (const KeyBinding& binding : key_bindings()) EXPECT_TRUE(seen.contains(std::string(binding.label)));
+        for (const MouseBinding& binding : mouse_bindings())
+            EXPECT_TRUE(seen.contains(std::string(binding.label))) << binding.label << " at " << display.width;
+    }
+}
+
 TEST(keys, snapshot_full_screen_and_quit_are_requests) {
     Desk desk;
     desk.key(Key::p, true);
@@ -245,6 +276,26 @@ TEST(keys, of_the_camera_turn_move_and_zoom_it) {
     EXPECT_NEAR(after(desk, Key::minus).distance, start.distance, 1e-9 * start.distance);
     EXPECT_THAT(desk.calls(), IsEmpty()) << "no step is taken, and no speed set";
     EXPECT_TRUE(desk.recorder.rates.empty());
+}
+
+TEST(keys, with_shift_move_the_edges_of_panel_and_plots) {
+    Desk desk;
+    const PixelRect usual = desk.interface.scene();
+    desk.camera.yaw += 50;
+    const render::Camera camera = desk.camera;
+    desk.key(Key::right, false, true);
+    EXPECT_EQ(desk.interface.scene().x, usual.x + 20) << "the panel is wider";
+    desk.key(Key::up, false, true);
+    EXPECT_EQ(desk.interface.scene().height, usual.height - 20) << "the plots are higher";
+    desk.key(Key::left, false, true);
+    desk.key(Key::down, false, true);
+    EXPECT_EQ(desk.interface.scene(), usual);
+    for (int i = 0; i < 50; ++i) desk.key(Key::right, false, true);
+    EXPECT_EQ(desk.interface.scene().x, 520) << "as far as a drag";
+    desk.key(Key::home, false, true);
+    EXPECT_EQ(desk.interface.scene(), usual);
+    EXPECT_EQ(desk.camera, camera) << "the view is not reset";
+    EXPECT_THAT(desk.calls(), IsEmpty()) << "no step is taken";
 }
 
 TEST(keys, select_particles_one_after_the_other) {

@@ -48,6 +48,7 @@ choices_are_remembered() {
     read -r x y <<<"${place[panel.edge]}"
     drag "$x" "$y" 1 400 "$y"; expect 'widget panel.edge 39[0-9].*'
     close_window
+    grep -qx 'scale = 1.1' "$config" || fail "the scale has more digits than it needs: $(cat "$config")"
     grep -q "^theme = 'light'" "$config" || fail "the theme is not in the file: $(cat "$config")"
     reopen --model chain
     said 'scale 1.1' 'widget energies.scale [0-9].*' 'widget panel.edge 39[0-9].*'

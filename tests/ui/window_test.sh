@@ -42,6 +42,8 @@ keys_drive_the_window() {
     xdotool key F1; expect 'widget help gone'
     xdotool key F11; expect 'size 1280x800'
     xdotool key F11; expect 'size 1000x700'
+    xdotool key shift+Right; expect 'widget panel.edge 31[0-9].*'
+    xdotool key shift+Home; expect 'widget panel.edge 29[0-9].*'
     xdotool key ctrl+p; expect 'saved steplab-mesh-1.png'
     [[ $(head -c 8 "$folder/steplab-mesh-1.png" | tail -c 7) == $'PNG\r\n\x1a' ]] || fail "the picture is no PNG"
     close_window
@@ -281,7 +283,17 @@ hands_move_particles() {
     xdotool mousemove 740 300; expect 'step [3-9][0-9]'
     xdotool mouseup 1 keyup ctrl key space; expect 'playing false'
     xdotool key ctrl+z; expect 'changes 0' 'step [0-9]'
+    keys_pull_a_particle
     close_window
+}
+
+keys_pull_a_particle() {
+    xdotool key BackSpace keydown ctrl key Up key Up keyup ctrl; expect 'changes 1' # while the run stands
+    xdotool key ctrl+z; expect 'changes 0'
+    xdotool key space keydown ctrl key Up; expect 'changes 1' 'step [1-9][0-9]'
+    expect 'step [3-9][0-9]'
+    xdotool keyup ctrl key space; expect 'playing false'
+    xdotool key ctrl+z; expect 'changes 0'
 }
 
 # shows_its_pictures DRIVER WAY: those of Mesa's software renderer of this name come to the window in this way.
@@ -373,6 +385,9 @@ blow_up_is_explained_and_gone_through() {
     xdotool key space; expect 'diverged 4'
     expect 'widget divergence.page [0-9].*' 'widget remedy.dt [0-9].*' # which moves the page's button
     click divergence.page; expect 'page divergence.md'
+    click divergence.close; expect 'widget divergence gone'
+    xdotool key Left; expect 'diverged no'
+    enter time 'step 4'; expect 'diverged 4' 'widget divergence [0-9].*' # it is back
     close_window
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/view_choices_file.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/output_file.hpp"
 #include "io/toml_text.hpp"
@@ -13,7 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <toml++/toml.h>
 
@@ -144,32 +145,42 @@ void read_table(const toml::table& table, ReadViewChoices& into) {
     if (!unusable.empty()) into.problem = fmt::format("the usual values in place of what cannot be used: {}", unusable);
 }
 
+// Each writes a value of its type. A number is the shortest that reads back: the library writes 1.1 with 17 digits.
+
+std::string written(double value) { return number_text(value); }
+std::string written(int value) { return fmt::format("{}", value); }
+std::string written(bool value) { return value ? "true" : "false"; }
+std::string written(std::string_view word) { return fmt::format("'{}'", word); }
+std::string written(const std::string& word) { return written(std::string_view(word)); }
+std::string written(Background value) { return written(id(value)); }
+std::string written(Colouring value) { return written(id(value)); }
+
 template <class T>
-void put(toml::table& table, std::string_view key, const T& value) {
-    table.insert_or_assign(key, value);
+void add_line(std::string& text, std::string_view key, const T& value) {
+    text += fmt::format("{} = {}\n", key, written(value));
 }
-void put(toml::table& table, std::string_view key, Background value) { put(table, key, id(value)); }
-void put(toml::table& table, std::string_view key, Colouring value) { put(table, key, id(value)); }
 template <class T>
-void put(toml::table& table, std::string_view key, const std::optional<T>& value) {
-    if (value) put(table, key, *value);
+void add_line(std::string& text, std::string_view key, const std::optional<T>& value) {
+    if (value) add_line(text, key, *value);
+}
+
+std::string written(const PlotChoice& plot) {
+    return fmt::format("{{ kind = {}, scale = {}, across = {} }}",
+                       written(ui::plot_kinds[static_cast<std::size_t>(plot.kind)].id),
+                       written(scale_ids[static_cast<std::size_t>(plot.scale)]),
+                       written(scale_ids[static_cast<std::size_t>(plot.across_scale)]));
 }
 
 std::string text_of(const ViewChoices& choices) {
-    toml::table table;
-    table.insert("version", version);
-    for_each_choice([&](std::string_view key, double, double, const auto& value) { put(table, key, value); }, choices);
-    toml::array plots;
-    for (const PlotChoice& plot : choices.plots) {
-        const auto kind = static_cast<std::size_t>(plot.kind);
-        plots.push_back(toml::table{{"kind", ui::plot_kinds[kind].id},
-                                    {"scale", scale_ids[static_cast<std::size_t>(plot.scale)]},
-                                    {"across", scale_ids[static_cast<std::size_t>(plot.across_scale)]}});
-    }
-    table.insert("plots", plots);
-    std::ostringstream text;
-    text << "# What the window of steplab remembers. Without this file it opens as usual.\n" << table << "\n";
-    return text.str();
+    std::string text = fmt::format(
+        "# What the window of steplab remembers. Without this file it opens as usual.\n"
+        "version = {}\n",
+        version);
+    for_each_choice([&](std::string_view key, double, double, const auto& value) { add_line(text, key, value); },
+                    choices);
+    text += "plots = [\n";
+    for (const PlotChoice& plot : choices.plots) text += fmt::format("    {},\n", written(plot));
+    return text + "]\n";
 }
 
 /// Puts what has changed into the choices that are remembered; false if nothing has.

@@ -1,6 +1,7 @@
 #include "core/number_text.hpp"
 #include "session/run_name.hpp"
 #include "sim/catalogue.hpp"
+#include "ui/panels/card_corner.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/cards.hpp"
 #include "ui/widgets/format.hpp"
@@ -42,6 +43,10 @@ void draw_remedy(const Context& context, const TriedRemedy& tried, bool first) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     explanation(context, trial_text(tried));
+    context.mark(of_dt ? "remedy.dt.trial" : "remedy.method.trial");
+    tooltip(context,
+            "energy error: the largest |E - E0| of the trial over the energy at its start; cost: force evaluations per "
+            "simulated second, beside those of the run that diverged");
 }
 
 void draw_remedies(const Context& context, const BlowUp& blow_up) {
@@ -101,12 +106,6 @@ void draw_ways_on(const Context& context) {
     tooltip(context, "opens docs/divergence.md: when a run counts as diverged, and why runs diverge");
 }
 
-/// The lower right corner of the scene, whose middle shows the oscillation.
-ImVec2 anchor(const Context& context) {
-    const Area& scene = context.layout.scene;
-    return {scene.right() - context.px(8), scene.bottom() - context.px(8)};
-}
-
 void draw_title(const Context& context, const char* text) {
     const WithFont font(context.theme.fonts().strong);
     ImGui::TextUnformatted(text);
@@ -121,8 +120,40 @@ std::string without_title(const std::string& message) {
     return rest;
 }
 
+/// "1.434 s: stability limit ..."; nothing where no dt is stable, or any.
+std::string limit_line(const std::optional<double>& limit, const std::string& of) {
+    if (!limit || !(*limit > 0) || std::isinf(*limit)) return {};
+    return fmt::format("{} s: stability limit of the {}", reading_text(*limit), of);
+}
+
+/// What the sentence about the last good step says of a limit.
+void explain_message(const Context& context, const Divergence& divergence) {
+    const std::string line = limit_line(divergence.limit, "scene at rest, with its settings of now");
+    if (!line.empty()) term_tooltip(context, line, "stability limit");
+}
+
+/// Which limits the paragraph about the cause speaks of.
+void explain_cause(const Context& context, const BlowUp& blow_up) {
+    const PresentLimit &start = blow_up.start, &then = blow_up.limit;
+    std::string lines = limit_line(start.limit, "scene as it stood at the start of the run");
+    const std::string later = limit_line(
+        then.limit,
+        fmt::format("scene as it stood at t = {} s, when it was smallest beside dt", reading_text(then.time)));
+    if (then.step != start.step && !later.empty()) lines += (lines.empty() ? "" : "\n") + later;
+    if (!lines.empty()) term_tooltip(context, lines, "stability limit");
+}
+
+/// Between the parts of the card, which has to be low.
+void leave_gap(const Context& context) { ImGui::SetCursorPosY(ImGui::GetCursorPosY() + context.px(4)); }
+
+/// Wide rather than high where the scene has room: scenes leave more of it above and below them than beside them.
+float width_of_card(const Context& context) {
+    return card_width(context, context.layout.scene.width >= context.px(840) ? 560 : 430);
+}
+
 void draw_doubt(const Context& context, const Doubt& doubt) {
-    const Card card(context, "doubt", anchor(context), {1, 1}, card_width(context, 430), colour::bad);
+    const auto [anchor, pivot] = card_corner(context, "doubt");
+    const Card card(context, "doubt", anchor, pivot, width_of_card(context), colour::bad);
     draw_title(context, "The energy is impossible");
     explanation(
         context,
@@ -139,23 +170,29 @@ void draw_divergence_card(const Context& context) {
     auto& dismissed = context.state.dismissed_divergence;
     if (!divergence) {
         dismissed.reset();
+        if (!context.state.doubt) context.state.card_corner = 0;
         if (context.state.doubt) draw_doubt(context, *context.state.doubt);
         return;
     }
     if (dismissed == divergence->step) return;
-    const Card card(context, "divergence", anchor(context), {1, 1}, card_width(context, 430), colour::bad);
+    const auto [anchor, pivot] = card_corner(context, "divergence");
+    const Card card(context, "divergence", anchor, pivot, width_of_card(context), colour::bad);
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
     draw_title(context, divergence->stop ? "The run stopped" : "The run diverged");
     explanation(context, without_title(divergence->message), colour::text);
+    context.mark("divergence.message");
+    explain_message(context, *divergence);
     if (const auto& blow_up = context.session.blow_up) {
-        ImGui::Dummy({0, context.px(4)});
+        leave_gap(context);
         explanation(context, blow_up->why, colour::text);
-        ImGui::Dummy({0, context.px(4)});
+        context.mark("divergence.why");
+        explain_cause(context, *blow_up);
+        leave_gap(context);
         draw_remedies(context, *blow_up);
     } else {
         explanation(context, "looking for the cause ...");
     }
-    ImGui::Dummy({0, context.px(4)});
+    leave_gap(context);
     draw_ways_on(context);
     draw_other_run(context);
 }

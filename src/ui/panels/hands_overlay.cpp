@@ -15,14 +15,18 @@ namespace {
 
 ImVec2 shifted(ImVec2 from, ImVec2 along, float far) { return {from.x + far * along.x, from.y + far * along.y}; }
 
-/// Where a particle of the leading run is on the display.
-std::optional<ImVec2> on_display(const Context& context, std::size_t particle) {
-    const Frame& frame = context.view.frame;
-    if (particle >= frame.positions.size() || !render::drawable(frame.seen(particle))) return std::nullopt;
-    const auto pixel = context.projection().pixel(frame.seen(particle));
+/// Where a place in the scene of the leading run is on the display.
+std::optional<ImVec2> on_display(const Context& context, Vec3 place) {
+    const auto pixel = render::drawable(place) ? context.projection().pixel(place) : std::nullopt;
     if (!pixel) return std::nullopt;
     const PixelRect tile = context.tile();
     return ImVec2{static_cast<float>(tile.x + pixel->x), static_cast<float>(tile.y + pixel->y)};
+}
+
+/// Where one of its particles is.
+std::optional<ImVec2> on_display(const Context& context, std::size_t particle) {
+    const Frame& frame = context.view.frame;
+    return particle < frame.positions.size() ? on_display(context, frame.seen(particle)) : std::nullopt;
 }
 
 /// A line from one point to another.
@@ -115,6 +119,12 @@ std::string numbers_of(const Context& context, std::size_t particle) {
            values_of(frame, particle);
 }
 
+/// From a particle to where keys pull it.
+void draw_key_pull(const Context& context, ImDrawList& list, const KeyPull& pull) {
+    const auto particle = on_display(context, pull.particle), place = on_display(context, pull.place);
+    if (particle && place) draw_spring(context, list, {*particle, *place});
+}
+
 void draw_numbers(const Context& context, ImDrawList& list) {
     const auto particle = context.state.pointed;
     const auto place = particle ? on_display(context, *particle) : std::nullopt;
@@ -140,6 +150,8 @@ void draw_hands(const Context& context) {
         draw_arrow(context, list, {*origin, pointer});
     } else if (hands.box_from) {
         draw_box(context, list, pointer);
+    } else if (hands.by_keys) {
+        draw_key_pull(context, list, *hands.by_keys);
     } else {
         draw_numbers(context, list);
     }

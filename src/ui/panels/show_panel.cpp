@@ -103,7 +103,7 @@ constexpr ParameterInfo displacements_info{.name = "displacements",
 void draw_displacements(const Context& context, const render::Style& style) {
     slider_row(context,
                {.widget = "displacements",
-                .label = "displacements",
+                .label = "magnify",
                 .tooltip = "how many times as large as they are displacements from the rest positions are "
                            "drawn: small motion is seen",
                 .value_text = rounded_text(style.displacements),

@@ -20,10 +20,12 @@ ImVec2 size_of(const Context& context, const std::string& lines) {
 
 void draw(const Context& context, ImVec2 corner, const std::string& lines) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding(context));
+    ImGui::PushStyleColor(ImGuiCol_Border, colour::line);  // not that of a card with an edge of its own
     ImGui::SetNextWindowPos(corner);
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(lines.c_str());
     ImGui::EndTooltip();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
 }
 

@@ -68,6 +68,20 @@ TEST_F(ViewChoicesFile, what_is_written_is_read_again) {
     EXPECT_EQ(read.choices.picture, expected.picture);
 }
 
+TEST_F(ViewChoicesFile, numbers_are_the_shortest_that_read_back) {
+    for (const double scale : ui::interface_scales) {
+        ViewChoices choices;
+        choices.scale = scale;
+        choices.sizes = {.panel_width = 321.1, .plots_height = 222.7};
+        remember_view_choices(path, {}, choices);
+        for (const char* const number : {"panel_width = 321.1\n", "plots_height = 222.7\n", "width = 1280\n"})
+            EXPECT_NE(text().find(number), std::string::npos) << number << " in " << text();
+        EXPECT_EQ(read_view_choices(path).choices.scale, scale) << "also where the file has a whole number";
+        EXPECT_TRUE(scale != 1.1 || text().find("\nscale = 1.1\n") != std::string::npos) << text();
+        std::filesystem::remove(path);
+    }
+}
+
 TEST_F(ViewChoicesFile, without_a_change_nothing_is_written) {
     remember_view_choices(path, other_choices(), other_choices());
     EXPECT_FALSE(std::filesystem::exists(path));

@@ -1,4 +1,5 @@
 #include "lab/limits/blow_up.hpp"
+#include "render/framing.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/desk.hpp"
 
@@ -83,6 +84,66 @@ TEST(Divergence, card_is_whole_in_small_windows_with_all_its_buttons) {
         }
         EXPECT_LT(desk.widget("divergence.close").right, card.right);
     }
+}
+
+bool overlap(const WidgetRect& card, const WidgetRect& place) {
+    return card.left < place.right && card.right > place.left && card.top < place.bottom && card.bottom > place.top;
+}
+
+// It stood over the right half of a chain.
+TEST(Divergence, card_shows_the_particles_that_it_speaks_of) {
+    for (const Display display : {Display{1280, 800, 1}, {1280, 1200, 1}, {1000, 900, 1}}) {
+        DivergedIn diverged(display);
+        Desk& desk = diverged.desk;
+        desk.view.frame.oscillation = desk.session.blow_up->limit.oscillation.shape;
+        desk.camera = render::camera_of("default", view_of(Simulation(describe("chain"))).frame,
+                                        {desk.interface.scene().width, desk.interface.scene().height});
+        desk.view.frame.positions = desk.view.frame.shape->rest;  // those that blew up are far out of the picture
+        const render::Camera usual = desk.camera;
+        for (const double to_the_right : {-0.4, 0.0, 0.4}) {
+            for (const double up : {-0.25, 0.0, 0.25}) {
+                const PixelRect scene = desk.interface.scene();
+                const render::Projection projection(usual, {scene.width, scene.height});
+                desk.camera = render::panned(projection, to_the_right * scene.width, -up * scene.height);
+                for (int i = 0; i < 3; ++i) desk.frame();
+                double hidden = 0, all = 0;
+                for (std::size_t i = 0; i < desk.view.frame.positions.size(); ++i) {
+                    const Vec3 swing = desk.view.frame.oscillation[i];
+                    const auto pixel =
+                        render::Projection(desk.camera, {scene.width, scene.height}).pixel(desk.view.frame.seen(i));
+                    const auto x = static_cast<float>(scene.x + pixel->x), y = static_cast<float>(scene.y + pixel->y);
+                    all += dot(swing, swing);
+                    if (overlap(desk.widget("divergence"), {x, y, x, y})) hidden += dot(swing, swing);
+                }
+                EXPECT_LE(hidden, 0.02 * all)
+                    << display.width << " x " << display.height << ", moved by " << to_the_right << ", " << up;
+            }
+        }
+    }
+}
+
+TEST_F(Diverged, card_stays_under_the_pointer) {
+    desk.view.frame.oscillation = desk.session.blow_up->limit.oscillation.shape;
+    desk.point_at("divergence");
+    const WidgetRect before = desk.widget("divergence");
+    desk.camera.focus.y += 0.4 * desk.camera.distance;
+    for (int i = 0; i < 3; ++i) desk.frame();
+    EXPECT_EQ(desk.widget("divergence"), before);
+}
+
+TEST_F(Diverged, limits_on_the_card_are_explained) {
+    for (const char* const paragraph : {"divergence.message", "divergence.why", "remedy.dt.trial"}) {
+        desk.point_at(paragraph);
+        desk.frame();
+        EXPECT_TRUE(desk.has("tooltip")) << paragraph;
+    }
+    desk.point_at("divergence.beginning");
+    desk.session.blow_up = nullptr;
+    desk.view.divergence->limit.reset();
+    for (int i = 0; i < 3; ++i) desk.frame();
+    desk.point_at("divergence.message");
+    desk.frame();
+    EXPECT_FALSE(desk.has("tooltip")) << "no limit is named";
 }
 
 TEST_F(Diverged, card_appears_with_its_remedies) {

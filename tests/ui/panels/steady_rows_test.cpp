@@ -111,5 +111,17 @@ TEST(time_line, leaves_room_for_long_times) {
     EXPECT_LT(long_run, small - 12) << "four digits more";
 }
 
+// "displacements" touched its slider.
+TEST(rows, labels_leave_a_gap_before_their_sliders) {
+    for (const char* const model : {"chain", "mesh", "rope", "crystal", "morse"}) {
+        Desk desk(describe(model));
+        for (const auto& [name, place] : desk.interface.widgets()) {
+            if (!desk.has(name + ".value")) continue;
+            const WidgetRect gap{place.left - 6, place.top, place.left - 2, place.bottom};
+            EXPECT_EQ(desk.vertices_within(gap), 0) << name << " of " << model;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace steplab::ui
