@@ -101,6 +101,7 @@ void append_columns(std::string& text, const FrameBlock& frame, const std::vecto
 void append_dump(std::string& text, const FrameBlock& frame) {
     const bool moving = !frame.velocities.empty();
     const std::vector<const ParticleValues*> further = further_columns(frame);
+    if (!frame.scene.units.empty()) text += fmt::format("ITEM: UNITS\n{}\n", frame.scene.units);
     text += "ITEM: TIME\n";
     append_number(text, frame.moments.front().time);
     text += fmt::format("\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n", frame.moments.front().step, frame.rows);

@@ -29,6 +29,11 @@ void reorder(const std::vector<std::size_t>& order, std::vector<Value>& values) 
 
 DumpTrajectory::DumpTrajectory(TextInput input) : TextTrajectory(std::move(input)) {
     has_head_ = read_head();
+    know_columns();
+}
+
+/// Each frame names its own.
+void DumpTrajectory::know_columns() {
     columns_ = {Column::x, Column::y, Column::z};
     if (velocity_) columns_.insert(columns_.end(), {Column::vx, Column::vy, Column::vz});
 }
@@ -67,8 +72,11 @@ void DumpTrajectory::read_item(std::string_view item) {
         has_rows_ = true;
     } else if (item.starts_with("BOX BOUNDS")) {
         read_box(item);
+    } else if (item == "UNITS") {
+        const auto words = words_of(next_line());
+        units_ = words.empty() ? "" : words.front();
     } else {
-        next_line();  // of UNITS, and what later versions may add
+        next_line();  // of what later versions may add
     }
 }
 
@@ -209,8 +217,10 @@ void DumpTrajectory::read_other_columns() {
 bool DumpTrajectory::read(FrameBlock& frame) {
     if (std::exchange(used_, true)) has_head_ = read_head();
     if (!has_head_) return false;
+    know_columns();
     frame.moments.push_back(moment_);
     put_box(frame.scene);
+    frame.scene.units = units_;
     ids_.clear();
     forces_.clear();
     for (std::uint64_t row = 0; row < rows_; ++row) {

@@ -46,6 +46,7 @@ private:
 
     bool read(FrameBlock& frame) override;
     bool read_head();
+    void know_columns();
     void read_item(std::string_view item);
     std::string_view next_line();
     std::vector<std::string_view> numbers_line(std::size_t least);
@@ -66,6 +67,7 @@ private:
     bool used_ = false;  ///< the head that was read last
     bool has_head_ = false, has_step_ = false, has_rows_ = false, has_box_ = false;
     std::optional<double> time_;
+    std::string units_;  ///< said once, at the begin of the file
     FrameBlock::Moment moment_;
     std::uint64_t rows_ = 0;
     Box box_;

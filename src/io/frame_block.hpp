@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FileScene {
     Vec3 box = {};                          ///< sides of the periodic box; 0: none along this axis
     Vec3 corner = {};                       ///< of the box, where its coordinates are smallest
     std::optional<Cell> cell = {};          ///< in place of the box: one whose edges lean
+    std::string units = {};                 ///< by LAMMPS' name of them; empty: not said
 };
 
 FileScene scene_of(const Frame& frame);

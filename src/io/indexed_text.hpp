@@ -40,6 +40,8 @@ public:
     std::uint64_t rows() const { return index_.front().rows; }
     /// True if the first frame has them; else those of frames are 0.
     bool has_velocities() const { return !block(0).velocities.empty(); }
+    /// Those of its numbers, by LAMMPS' name of them; empty: not said.
+    std::string units() const { return block(0).scene.units; }
     /// Why there are no more frames behind these; empty if the file ends with a whole one, or is not looked through.
     std::string fault() const;
     /// Frames without times are 1 s apart for each step.

@@ -35,6 +35,7 @@ Playback::Playback(const std::string& file)
     if (described && static_cast<double>(frame_.positions.size()) == model_of(run_).particles(as_held(run_).scene))
         meter_.emplace(run_);
     has_velocities_ = file_frames_->has_velocities();  // known once: it may take reading the first frame
+    if (const std::string units = file_frames_->units(); units != "lj") units_ = units;
     shape_ = meter_ ? meter_->shape() : played_shape(*file_frames_, frame_);
     arrive();
 }
@@ -221,13 +222,9 @@ void Playback::observe(SessionView& view) {
     if (loop_)
         view.line.loop = {file_frames_->moment(frame_of(loop_->first)).time,
                           file_frames_->moment(frame_of(loop_->last)).time};
-    view.playback = PlaybackView{file_,
-                                 number_,
-                                 frames(),
-                                 file_frames_->fault(),
-                                 is_measured(),
-                                 has_velocities_,
-                                 file_frames_->looked_through()};
+    view.playback = PlaybackView{
+        file_, number_, frames(), file_frames_->fault(), is_measured(), has_velocities_, file_frames_->looked_through(),
+        units_};
     observe(view.leading);
 }
 

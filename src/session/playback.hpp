@@ -110,6 +110,7 @@ private:
     std::optional<StateMeter> meter_;  ///< none where rows of some particles alone are in the file
     std::shared_ptr<const Shape> shape_;
     bool has_velocities_ = true;
+    std::string units_;
     bool backward_ = false;
     double first_time_ = 0, last_time_ = 0;
     std::uint64_t last_step_ = 0;

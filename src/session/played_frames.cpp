@@ -49,6 +49,7 @@ public:
         out.shape = std::make_shared<const Shape>(std::move(shape));
     }
     bool has_velocities() const override { return frames_.has_velocities(); }
+    std::string units() const override { return frames_.units(); }
     std::string fault() const override { return frames_.fault(); }
     bool can_grow() const override { return true; }
     bool has_more() const override { return frames_.has_more(); }

@@ -22,6 +22,8 @@ public:
     virtual FrameBlock::Moment moment(std::uint64_t number) = 0;
     virtual void frame(std::uint64_t number, Frame& out) = 0;
     virtual bool has_velocities() const { return true; }
+    /// Those of its numbers, by LAMMPS' name of them; empty: not said.
+    virtual std::string units() const { return ""; }
     /// Why there are no more; empty if the file is whole.
     virtual std::string fault() const = 0;
     /// The run that wrote it; none of a file that does not describe its run. Throws FileError.

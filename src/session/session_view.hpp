@@ -74,6 +74,7 @@ struct PlaybackView {
     bool measured = true;
     bool has_velocities = true;
     double looked_through = 1;  ///< the part of the file in which frames were looked for so far
+    std::string units = {};     ///< of its numbers, where they are said to be others than steplab's
 };
 
 /// A recorded session that is played like a film.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -163,6 +164,19 @@ TEST(Playback, of_text_that_grows_waits_for_the_time_of_its_next_frame) {
     EXPECT_TRUE(playback.look_on());
     EXPECT_EQ(playback.frames(), 3u);
     EXPECT_EQ(playback.next_elapsed(), 4);
+}
+
+TEST(Playback, of_a_dump_in_other_units_says_so) {
+    const std::string rows =
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+        "ITEM: ATOMS id x y z\n1 1 1 1\n";
+    const TemporaryFolder folder;
+    for (const auto& [head, units] :
+         std::map<std::string, std::string>{{"ITEM: UNITS\nmetal\n", "metal"}, {"ITEM: UNITS\nlj\n", ""}, {"", ""}}) {
+        put_text(folder.file("a.dump"), head + rows);
+        Playback playback(folder.file("a.dump"));
+        EXPECT_EQ(view_of(playback).playback->units, units) << head;
+    }
 }
 
 TEST(Playback, of_a_dump_draws_the_bonds_between_the_particles_that_it_has) {

@@ -12,6 +12,7 @@
 #include "io/compression.hpp"
 #include "io/dump_text.hpp"
 #include "io/output_file.hpp"
+#include "io/same_columns.hpp"
 #include "io/springs_beside.hpp"
 #include "io/text_trajectory.hpp"
 #include "io/trajectory.hpp"
@@ -74,6 +75,7 @@ public:
     int run() override {
         if (file_.empty()) throw UsageError("FILE is required: the file to convert");
         convert();
+        tell_units();
         if (fault_) throw FileError(*fault_);
         return static_cast<int>(ExitCode::done);
     }
@@ -148,18 +150,29 @@ private:
         return shape;
     }
 
-    /// All frames of a text, or those before a fault, which is returned. Throws it if there are none.
+    /// Only dumps name the units of their numbers.
+    void tell_units() const {
+        if (units_.empty() || units_ == "lj" || frame_format(format_, out_) == FrameFormat::dump) return;
+        print_note("steplab convert", fmt::format("the numbers of '{}' are in LAMMPS' units {} and stay as they are",
+                                                  shown(file_), units_));
+    }
+
+    /// All frames of a text, or those before a fault, which is returned. Throws it if there are none. `same`: what
+    /// their columns have to be.
     template <class Visit>
-    static std::optional<FileError> each_before_a_fault(TextTrajectory& text, const Visit& visit) {
+    std::optional<FileError> each_before_a_fault(TextTrajectory& text, const Visit& visit,
+                                                 std::optional<SameColumns> same = {}) {
         std::uint64_t frames = 0;
         for (FrameBlock frame;; ++frames) {
             check_interruption();
             try {
                 if (!text.next(frame)) return std::nullopt;
+                if (same) same->check(file_, frame);
             } catch (const FileError& fault) {
                 if (frames == 0) throw;
                 return behind(fault, frames);
             }
+            units_ = frame.scene.units;
             visit(frame);
         }
     }
@@ -243,10 +256,11 @@ private:
         text.require(columns);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
-            fault_ = each_before_a_fault(text, [&](FrameBlock& frame) {
+            const auto add = [&](FrameBlock& frame) {
                 if (!all) frame.values.clear();
                 writer.add(std::move(frame));
-            });
+            };
+            fault_ = each_before_a_fault(text, add, SameColumns(columns, all));
             writer.finish();
         });
     }
@@ -264,7 +278,8 @@ private:
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run);
             WholeFrames frames([&](const FrameBlock& frame) { writer.add(named.frame(frame, writer.needs())); });
-            fault_ = each_before_a_fault(text, [&](const FrameBlock& frame) { frames.add(frame); });
+            fault_ = each_before_a_fault(
+                text, [&](const FrameBlock& frame) { frames.add(frame); }, SameColumns(usual_columns(), false));
             writer.finish();
         });
         if (!named.left_out().empty())
@@ -291,6 +306,7 @@ private:
     std::string format_;
     std::string columns_;
     SceneOptions scene_;
+    std::string units_;               ///< of a text, if it says so
     std::optional<FileError> fault_;  ///< of the file, found when what is before it was written
 };
 

@@ -31,6 +31,11 @@ void draw_playback_panel(const Context& context) {
     heading(context, "PLAYBACK");
     reading_row(context, "file", std::filesystem::path(playback.file).filename().string(), playback.file);
     reading_row(context, "frame", fmt::format("{} of {}", playback.frame + 1, playback.frames));
+    if (!playback.units.empty())
+        reading_row(
+            context, "units", playback.units,
+            "The file has its numbers in these units of LAMMPS. They are shown as they are: where kg, m, s and J "
+            "stand here, they mean the units of the file.");
     if (playback.looked_through < 1)
         reading_row(context, "looked through", fmt::format("{:.0f} %", 100 * playback.looked_through),
                     "Frames are looked for in the whole file, and shown as they are found.");

@@ -54,6 +54,15 @@ TEST_F(PlayedBack, gives_way_to_the_scene_that_is_chosen_also_to_its_own) {
     EXPECT_FALSE(desk.wanted().start.from);
 }
 
+// What reads m and s elsewhere is that of the file.
+TEST_F(PlayedBack, in_other_units_names_them) {
+    const int before = desk.interface.draw_data().TotalVtxCount;
+    desk.session.playback->units = "metal";
+    desk.frame();
+    desk.frame();
+    EXPECT_GT(desk.interface.draw_data().TotalVtxCount, before);
+}
+
 TEST_F(PlayedBack, of_some_particles_says_nothing_of_energies) {
     desk.session.playback->measured = false;
     desk.frame();
