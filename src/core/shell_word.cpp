@@ -28,4 +28,9 @@ std::string shell_word(const std::string& text) {
     return (safe ? quoted : shown(quoted, quoted.size())) + "'";
 }
 
+std::string shell_file(const std::string& name) {
+    const bool can_be_misread = name.find_first_of("-%=") == 0;  // zsh looks for a program behind =
+    return shell_word(can_be_misread ? "./" + name : name);
+}
+
 }  // namespace steplab

@@ -8,4 +8,7 @@ namespace steplab {
 /// would obey are written as $'\x1b', which shells read.
 std::string shell_word(const std::string& text);
 
+/// The name of a file as such a word, at the beginning of a command too: neither an option ("-a") nor a job ("%1").
+std::string shell_file(const std::string& name);
+
 }  // namespace steplab

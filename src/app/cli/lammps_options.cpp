@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/shell_word.hpp"
 #include "core/shown.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ std::string export_text(const LammpsExport& what, const std::string& folder) {
              fmt::format("LAMMPS ends if two particles are more than {} apart", short_number(what.reach)));
     for (const std::string& note : what.notes) line("note", note);
     line("written", shown(folder));
-    line("run", fmt::format("{}/run.sh RANKS", shown(folder)));
+    line("run", fmt::format("{} RANKS", shell_file(folder + "/run.sh")));
     return text;
 }
 

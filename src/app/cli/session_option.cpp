@@ -18,7 +18,8 @@ namespace steplab {
 void SessionOption::declare(CLI::App& app) {
     text_option(app, "--session", file_, "FILE",
                 "Record what happens into this new file; a session file that is there is played", "Window");
-    text_option(app, "--trajectory", trajectory_, "FILE", "Play the frames of a trajectory, CSV or XYZ file", "Window");
+    text_option(app, "--trajectory", trajectory_, "FILE",
+                "Play the frames of a trajectory, CSV, extended XYZ or LAMMPS dump", "Window");
     text_option(app, "--lesson", lesson_, "NAME|FILE", "Open a guided experiment (`steplab list lessons`)", "Window");
 }
 

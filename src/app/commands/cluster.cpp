@@ -9,6 +9,7 @@
 #include "app/commands/cluster_results.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/shell_word.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/lammps/lammps_run.hpp"
@@ -94,12 +95,13 @@ private:
     int submit(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
         if (submit_ != batch_systems[0]) throw UsageError(unknown_word("batch system", submit_, batch_systems));
         if (files_.empty()) throw UsageError("--submit needs --files DIR, a folder that the cluster can read");
+        check_slurm_folder(files_);
         refuse_results(files_);
         const LammpsExport written = export_to_lammps(run, time, files_);
         const std::string batch = write_slurm_file(files_, model_of(run).info.name, ranks);
-        print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)) +
+        print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shell_file(batch)) +
               fmt::format("  {:<14}the same SCENE, TIME and --every with --collect {} --out FILE --summary FILE\n",
-                          "afterwards", shown(files_)));
+                          "afterwards", shell_file(files_)));
         return static_cast<int>(ExitCode::done);
     }
 

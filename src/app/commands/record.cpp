@@ -51,8 +51,8 @@ public:
         film_.declare(app);
         runs_.declare(app);
         ensemble_.declare(app);
-        text_option(app, "--trajectory", trajectory_, "FILE", "Draw the frames of a trajectory, CSV, XYZ or dump",
-                    "Scene");
+        text_option(app, "--trajectory", trajectory_, "FILE",
+                    "Draw the frames of a trajectory, CSV, extended XYZ or LAMMPS dump", "Scene");
         footer(app, [] { return record_examples + catalogue_hint(); });
     }
 

@@ -41,7 +41,7 @@ public:
         runs_.declare(app);
         ensemble_.declare(app);
         text_option(app, "--trajectory", trajectory_, "FILE",
-                    "Draw a frame of a trajectory, CSV or XYZ file or a LAMMPS dump, the one at --steps or --until",
+                    "Draw a frame of a trajectory, CSV, extended XYZ or LAMMPS dump, the one at --steps or --until",
                     "Scene");
     }
 

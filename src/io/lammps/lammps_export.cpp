@@ -169,7 +169,7 @@ private:
 std::string run_script() {
     return fmt::format(
         "#!/bin/sh\n# Computes the scene with LAMMPS: ./run.sh [RANKS [OPTION OF LAMMPS...]]\n"
-        "cd \"$(dirname \"$0\")\" || exit 1\nranks=${{1:-1}}\n[ $# -eq 0 ] || shift\n"
+        "cd -- \"$(dirname -- \"$0\")\" || exit 1\nranks=${{1:-1}}\n[ $# -eq 0 ] || shift\n"
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1\n"
         "export OMP_NUM_THREADS=\"${{OMP_NUM_THREADS:-1}}\"\n"
         "[ \"$ranks\" != 1 ] || exec \"${{LAMMPS:-lmp}}\" -in {0} -log {1} \"$@\"\n"

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace steplab {
@@ -65,6 +66,19 @@ TEST(Help, begins_with_the_commands_and_leaves_the_catalogue_to_list) {
         EXPECT_TRUE(has_line(help, {"steplab list models", "steplab list methods"}));
         EXPECT_FALSE(has_line(help, {std::string(models().back().info.what.substr(0, 30))}));
         EXPECT_LE(split(help, '\n').size(), 70u);  // of view, which has the most options
+    }
+}
+
+// The manual and the completions have the same texts.
+TEST(Help, names_the_files_that_are_played) {
+    for (const char* command : {"view", "snapshot", "record"}) {
+        const std::string help = run_program({command, "--help"}).out;
+        const std::size_t begin = help.find("--trajectory"), end = help.find("\n  --", begin);
+        ASSERT_NE(begin, std::string::npos) << command;
+        std::string words;
+        for (const std::string& line : split(help.substr(begin, end - begin), '\n'))
+            words += line.substr(std::min(line.size(), line.find_first_not_of(' '))) + ' ';
+        EXPECT_NE(words.find("trajectory, CSV, extended XYZ or LAMMPS dump"), std::string::npos) << words;
     }
 }
 

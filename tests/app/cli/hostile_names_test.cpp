@@ -17,6 +17,13 @@ constexpr const char* scene_text =
     "steplab = 1\n[[particles]]\ngroup = \"pair\"\nline = { count = 2, step = [1, 0, 0] }\nvelocity = [0, 0.1, 0]\n"
     "[[particles]]\nposition = [0, 1, 0]\n[[springs]]\nbetween = \"pair\"\nk = 4\n";
 
+/// One that Slurm can have.
+std::string hostile_line(const std::string& ending) {
+    std::string name = hostile_name(ending);
+    std::erase(name, '\n');
+    return name;
+}
+
 /// Every command that prints the name of a scene or a file; snapshot, record and view are tested in tests/render.
 const std::vector<std::vector<std::string>>& uses() {
     static const std::string scene = hostile_name(".toml"), rows = hostile_name(".trajectory");
@@ -32,7 +39,7 @@ const std::vector<std::vector<std::string>>& uses() {
         {"convert", rows, "--out", hostile_name(".dump")},
         {"export", "--scene", scene, "--to", "scene", "--out", hostile_name("-2.toml")},
         {"export", "--scene", scene, "--to", "lammps", "--out", hostile_name("-lammps")},
-        {"cluster", "--scene", scene, "--ranks", "2", "--submit", "slurm", "--files", hostile_name("-job")},
+        {"cluster", "--scene", scene, "--ranks", "2", "--submit", "slurm", "--files", hostile_line("-job")},
         {"compare", "--scene", scene, "--run", "method=rk4", "--run", "method=verlet", "--steps", "3", "--out",
          hostile_name("-compared.csv")},
         {"limits", "--scene", scene},
@@ -61,6 +68,11 @@ TEST(HostileNames, reach_no_terminal_when_a_file_is_wrong) {
         EXPECT_EQ(outcome.code, 3) << words[0];
         EXPECT_TRUE(is_safe(outcome.err)) << words[0] << ": " << safe_message(outcome.err);
     }
+    const Outcome refused =
+        run_program({"cluster", "--steps", "3", "--ranks", "2", "--submit", "slurm", "--files", hostile_name("-job")},
+                    {.folder = folder.path()});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_safe(refused.err)) << safe_message(refused.err);
 }
 
 TEST(HostileNames, are_tried_with_every_command) {
