@@ -1,6 +1,5 @@
 """The Python blocks of the pages: they run as they stand there, in order, in an empty folder."""
 
-import importlib.util
 import os
 import pathlib
 import re
@@ -17,8 +16,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 BEGIN = re.compile(r"^ *```\s*(?:python|py)", re.MULTILINE)
-# What a page may need besides the module and its tests; Debian has it, but nothing fails without it.
-OPTIONAL = "zstandard"
 
 
 def blocks_of(text: str) -> list[str]:
@@ -54,11 +51,8 @@ class Pages(unittest.TestCase):
             text = page.read_text(encoding="utf-8")
             if not blocks_of(text):
                 continue
-            if OPTIONAL in text and importlib.util.find_spec(OPTIONAL) is None:
-                print(f"{page.name}: not run, without the package {OPTIONAL}")
-            else:
-                with self.subTest(page=page.name):
-                    names_of_page(page)
+            with self.subTest(page=page.name):
+                names_of_page(page)
             ran.append(page.name)
         self.assertEqual(ran, ["python.md", "trajectory-format.md"])
 
@@ -74,7 +68,6 @@ class Pages(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "between lines"):
                 blocks_of(wrong)
 
-    @unittest.skipIf(importlib.util.find_spec(OPTIONAL) is None, f"without the package {OPTIONAL}")
     def test_reader_of_trajectories_reads_what_the_module_reads(self):
         read = names_of_page(ROOT / "docs/trajectory-format.md")["read"]
         for precision in ("double", "float"):
