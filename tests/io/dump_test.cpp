@@ -116,7 +116,7 @@ TEST(Dump, may_change_its_columns_box_and_times) {
     ASSERT_EQ(frames.size(), 2u);
     EXPECT_EQ(frames[0].velocities[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(frames[1].positions[0], (Vec3{4, 4, 2}));
-    EXPECT_EQ(frames[1].velocities[0], Vec3{});
+    EXPECT_TRUE(frames[1].velocities.empty()) << "none, not zeros";
     EXPECT_EQ(frames[1].moments[0].time, 0.5);
     EXPECT_EQ(frames[1].scene.box, Vec3{});
 }
