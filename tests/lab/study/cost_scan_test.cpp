@@ -196,6 +196,16 @@ TEST(CostScan, a_point_takes_the_place_of_a_provisional_one_of_the_same_run) {
     EXPECT_EQ(points.size(), 3u) << "what is not provisional stays";
 }
 
+// Implicit methods of many pairs take long for their first run: it is put off, and made at the end.
+TEST(CostScan, of_slow_methods_has_points_too) {
+    CostScan scan(describe("crystal"), 2.0);
+    std::set<std::string> seen;
+    for (const CostPoint& point : all_points(scan, 100000)) seen.insert(point.run.method);
+    for (const char* const method : {"implicit-midpoint", "tr-bdf2", "velocity-verlet", "rk4"})
+        EXPECT_TRUE(seen.contains(method)) << method;
+    EXPECT_EQ(scan.done(), 1);
+}
+
 // Every first run is put off, and then given up.
 TEST(CostScan, ends_where_every_run_takes_too_long) {
     CostScan scan(oscillator(), std::nullopt, 0);
