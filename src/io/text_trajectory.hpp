@@ -22,7 +22,7 @@ public:
     static std::unique_ptr<TextTrajectory> open(TextInput input, From from);
     virtual ~TextTrajectory() = default;
 
-    /// Those that the file has.
+    /// Those that the file has; of a dump, whose frames name their own, those of the frame that was read last.
     const Columns& columns() const { return columns_; }
     /// Throws FileError if one of these is not among them.
     void require(const Columns& columns) const;
